@@ -35,7 +35,7 @@ pub use kin_runtime::{
     RedundantKinematics, Singularities, Singularity, Solution, Solutions, Swivel, Target, Twist,
     WithBase, WithTool, Wrench, centering_gradient, null_space, single, subproblems,
 };
-#[cfg(feature = "std")]
+#[cfg(feature = "alloc")]
 pub use kin_runtime::{
     BranchEnd, Chain, ChainSolution, Criterion, FeasibleInterval, Mechanism, NoPath, Path,
     SearchOptions, SelfMotion, SelfMotionError, SelfMotionOptions, SelfMotions, Stop, Workspace,

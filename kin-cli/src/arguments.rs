@@ -22,7 +22,7 @@ Exit codes:
   2  the command line is wrong
   3  the arm has no closed form
   4  generate --check: the checked-in code is stale
-  5  check --deep, --targets or --at: the closed form lost solutions, or gave
+  5  check --targets or --at: the closed form lost solutions, or gave
      wrong ones
   6  the file has several robots: name base and tip";
 
@@ -96,9 +96,6 @@ pub struct Check {
     pub files: Vec<String>,
     #[command(flatten)]
     pub options: RobotOptions,
-    /// Compare with the numerical search on so many targets
-    #[arg(long, value_name = "TARGETS", default_value_t = 0)]
-    pub deep: usize,
     /// Sweep: run the closed form on so many random targets, and count what is
     /// lost, unsound or doubled
     #[arg(long, value_name = "COUNT", default_value_t = 0)]

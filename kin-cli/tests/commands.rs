@@ -244,15 +244,13 @@ fn complaints_go_to_standard_error() {
 #[test]
 fn check_gives_every_file_a_line() {
     let files = ["robots/scara.yaml", SINGULAR, BROKEN, "robots/ur5e.urdf"];
-    let checked = kin(&[&["check", "--deep", "5"], &files[..]].concat());
+    let checked = kin(&[&["check"], &files[..]].concat());
     assert_eq!(checked.status.code(), Some(1), "the broken file decides");
     let lines: Vec<&str> = stdout(&checked).lines().collect();
     let expected = ["solved", "refused", "broken", "solved"];
     assert_eq!(lines.len(), expected.len());
     for ((file, expected), line) in files.iter().zip(expected).zip(lines) {
         assert!(line.starts_with(&format!("{file}: {expected}: ")), "{line}");
-        let compared = line.contains("solutions of 5 targets found");
-        assert_eq!(compared, expected == "solved", "{line}");
     }
     for file in [SINGULAR, BROKEN] {
         let mut told = stderr(&checked).split("\n\n");
@@ -352,13 +350,9 @@ fn mechanisms_are_explained_generated_and_told_from_arms() {
         "robots/delta.yaml: solved: 3 chains, 104 closed configurations recovered; R*UU, R*UU, \
          R*UU\n"
     );
-    for option in ["--targets", "--deep"] {
-        let tried = kin(&["check", DELTA, option, "10"]);
-        assert_eq!(tried.status.code(), Some(1));
-        assert!(
-            stderr(&tried).contains("try an arm, and this is a mechanism\nhelp: leave them out")
-        );
-    }
+    let tried = kin(&["check", DELTA, "--targets", "10"]);
+    assert_eq!(tried.status.code(), Some(1));
+    assert!(stderr(&tried).contains("try an arm, and this is a mechanism\nhelp: leave them out"));
     let without = kin(&["check", "robots/ur5e.urdf", "--no-ik", "--targets", "10"]);
     assert_eq!(without.status.code(), Some(1));
     assert!(stderr(&without).contains("--no-ik leaves it out\nhelp: leave out --no-ik"));

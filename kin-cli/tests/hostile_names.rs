@@ -55,7 +55,7 @@ fn shown(path: &str, text: String) -> [String; 3] {
         },
     );
     let lost = lost.map_or_else(|error| error.to_string(), |told| told.to_string());
-    [explained, check(&source, &options, 0).to_string(), lost]
+    [explained, check(&source, &options).to_string(), lost]
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Arms of any number of joints behind one interface.
 
 use super::{Answers, Robot};
+use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::{JointLimit, Kinematics, Pose, Twist};
 
 /// An arm on slices, for programs that choose among several: a [`Robot`], or a generated one as
@@ -14,6 +15,8 @@ use kin_runtime::{JointLimit, Kinematics, Pose, Twist};
 /// for arm in &arms {
 ///     let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
 ///     assert_eq!(arm.ik(&arm.fk(&q)).len(), 8);
+///     let nearest = arm.ik_nearest(&arm.fk(&q), &q).expect("a solution within limits");
+///     assert!(nearest.q.iter().zip(q).all(|(found, q)| (found - q).abs() < 1e-9));
 /// }
 /// # Ok::<(), kinematics::LoadError>(())
 /// ```
@@ -29,6 +32,9 @@ pub trait Arm {
     /// All solutions for a pose of the tip; none of an arm that takes parameters beside a
     /// target.
     fn ik(&self, pose: &Pose) -> Answers;
+    /// The solution that moves the joints least from a seed, inside the limits, with full turns;
+    /// none of an arm that takes parameters beside a target.
+    fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<BranchSolution>;
 }
 
 impl Arm for Robot {
@@ -50,6 +56,10 @@ impl Arm for Robot {
 
     fn ik(&self, pose: &Pose) -> Answers {
         self.ik(pose)
+    }
+
+    fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<BranchSolution> {
+        self.ik_nearest(pose, seed)
     }
 }
 
@@ -85,5 +95,10 @@ impl<K: Kinematics<N>, const N: usize> Arm for OfSlices<K, N> {
 
     fn ik(&self, pose: &Pose) -> Answers {
         (&self.0.ik(pose)).into()
+    }
+
+    fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<BranchSolution> {
+        let nearest = self.0.ik_nearest(pose, array(seed))?;
+        Some(BranchSolution::of(&nearest))
     }
 }

@@ -5,7 +5,8 @@ use super::{Answers, Robot};
 use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::__private::math;
 use kin_runtime::{
-    Kinematics, Nearest, NoSolution, Pose, RedundantKinematics, Solution, Solutions,
+    Kinematics, Nearest, NoPath, NoSolution, Path, Pose, RedundantKinematics, Solution, Solutions,
+    ik_path,
 };
 
 impl Robot {
@@ -102,9 +103,50 @@ impl Robot {
         nearest: &Nearest<N>,
     ) -> Result<Solution<N>, NoSolution<N>> {
         self.check(&nearest.seed);
+        self.has_isolated_solutions()?;
+        OfJoints::new(self).try_ik_nearest(pose, nearest)
+    }
+
+    /// The sequence of solutions for targets that moves the joints least in total; see
+    /// [`ik_path`].
+    ///
+    /// ```
+    /// use kinematics::{Nearest, Pose, Robot};
+    /// let arm = Robot::from_urdf("robots/ur5e.urdf")?;
+    /// let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    /// // 10 cm upwards, in steps of 1 cm.
+    /// let step = |i: u8| Pose::from_translation([0.0, 0.0, 0.01 * f64::from(i)]) * arm.fk(&q);
+    /// let targets: Vec<Pose> = (0..=10).map(step).collect();
+    /// let mut nearest = Nearest::<6>::new(q, arm.limits().try_into()?);
+    /// nearest.step = [0.1; 6]; // radians
+    /// let path = arm.ik_path(&targets, &nearest)?;
+    /// assert_eq!(path.solutions.len(), 11);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Where the path cannot go on, and why, as [`Robot::try_ik_nearest`].
+    ///
+    /// # Panics
+    ///
+    /// N is not the number of [joints](Robot::joints).
+    pub fn ik_path<const N: usize>(
+        &self,
+        targets: &[Pose],
+        nearest: &Nearest<N>,
+    ) -> Result<Path<N>, NoPath<N>> {
+        self.check(&nearest.seed);
+        let nowhere = |reason| NoPath { target: 0, reason };
+        self.has_isolated_solutions().map_err(nowhere)?;
+        ik_path(&OfJoints::new(self), targets, nearest)
+    }
+
+    /// Whether targets have solutions without a parameter.
+    fn has_isolated_solutions<const N: usize>(&self) -> Result<(), NoSolution<N>> {
         match self.parameters() {
             0 if self.arm.form().is_none() => Err(NoSolution::WithoutInverse),
-            0 => OfJoints::new(self).try_ik_nearest(pose, nearest),
+            0 => Ok(()),
             count => Err(NoSolution::NeedsParameters { count }),
         }
     }

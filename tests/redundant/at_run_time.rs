@@ -58,10 +58,13 @@ fn a_robot_with_parameters_has_no_solution_without_them() {
     let q = [0.3, -0.5, 0.2, -1.9, 0.4, 1.8, 0.6];
     let nearest = Nearest::new(q, panda.limits().try_into().unwrap());
     let reason = |robot: &Robot| robot.try_ik_nearest(&panda.fk(&q), &nearest).unwrap_err();
+    let path = |robot: &Robot| robot.ik_path(&[panda.fk(&q)], &nearest).unwrap_err();
     assert_eq!(
         reason(&panda).to_string(),
         "a target leaves so many parameters of the robot open: 1; `ik_nearest_at` takes them"
     );
+    assert_eq!(path(&panda).reason, reason(&panda));
+    assert_eq!(path(&bare).reason, reason(&bare));
     assert_eq!(
         reason(&bare).to_string(),
         "the robot was loaded without inverse kinematics: leave out `ik = none`"

@@ -15,7 +15,7 @@ pub fn run(arguments: &arguments::Check) -> Done {
     let mut all = Vec::new();
     for file in &arguments.files {
         let mut checked = Checked {
-            check: one(file, &options, arguments.deep),
+            check: one(file, &options),
             sweep: None,
             replay: None,
         };
@@ -55,9 +55,9 @@ pub fn run(arguments: &arguments::Check) -> Done {
     done
 }
 
-fn one(file: &str, options: &Options, deep: usize) -> Check {
+fn one(file: &str, options: &Options) -> Check {
     match read(file) {
-        Ok(source) => check(&source, options, deep),
+        Ok(source) => check(&source, options),
         Err(diagnostics) => Check {
             path: file.into(),
             verdict: Verdict::Broken(diagnostics),
@@ -78,11 +78,9 @@ impl Checked {
         };
         let arm = match &**robot {
             Compiled::Arm(arm) => arm,
-            Compiled::Mechanism(_)
-                if arguments.targets > 0 || arguments.deep > 0 || arguments.at.is_some() =>
-            {
+            Compiled::Mechanism(_) if arguments.targets > 0 || arguments.at.is_some() => {
                 return Err(format!(
-                    "{}: --deep, --targets and --at try an arm, and this is a mechanism\n\
+                    "{}: --targets and --at try an arm, and this is a mechanism\n\
                      help: leave them out; its closed form is verified all the same",
                     one_line(&self.check.path)
                 ));
@@ -132,14 +130,8 @@ impl Checked {
         let replayed = self.replay.as_ref().map(|replay| &replay.tally);
         let is_clean = self.sweep.iter().chain(replayed).all(Tally::is_clean);
         match &self.check.verdict {
-            Verdict::Solved { completeness, .. } => {
-                let lost = completeness.as_ref().is_some_and(|it| it.lost > 0);
-                if lost || !is_clean {
-                    Exit::Incomplete
-                } else {
-                    Exit::Success
-                }
-            }
+            Verdict::Solved { .. } if is_clean => Exit::Success,
+            Verdict::Solved { .. } => Exit::Incomplete,
             Verdict::Refused(_) => Exit::Refused,
             Verdict::Ambiguous(_) => Exit::Ambiguous,
             Verdict::Broken(_) => Exit::Broken,
@@ -169,7 +161,7 @@ mod tests {
     /// A clean robot, after a sweep that saw `tally`.
     fn exit_after(tally: Tally) -> Exit {
         let checked = Checked {
-            check: one("../robots/planar_2r.yaml", &Options::default(), 0),
+            check: one("../robots/planar_2r.yaml", &Options::default()),
             sweep: Some(tally),
             replay: None,
         };

@@ -6,4 +6,4 @@ mod report;
 mod verdict;
 
 pub(crate) use command::run;
-pub use verdict::{Check, Completeness, Verdict, check};
+pub use verdict::{Check, Verdict, check};

@@ -15,7 +15,7 @@ pub(super) struct Checked {
 
 /// The version of the JSON. Grows when a field changes its meaning or goes; new
 /// fields may come without.
-const SCHEMA: u32 = 2;
+const SCHEMA: u32 = 3;
 
 /// One line, and below it what a sweep or a replay has to say.
 pub fn text(checked: &Checked) -> String {
@@ -42,12 +42,9 @@ fn file(checked: &Checked) -> Value {
         Verdict::Ambiguous(_) => "ambiguous",
         Verdict::Broken(_) => "broken",
     };
-    let (structure, plan, tip_shift, deep) = match &checked.check.verdict {
+    let (structure, plan, tip_shift) = match &checked.check.verdict {
         Verdict::Solved {
-            structure,
-            robot,
-            completeness,
-            ..
+            structure, robot, ..
         } => {
             let form = robot.arm().and_then(|arm| arm.form());
             let idealized = form.filter(|form| !form.is_exact());
@@ -55,10 +52,9 @@ fn file(checked: &Checked) -> Value {
                 Some(structure),
                 form.map(|form| form.plan.to_string()),
                 idealized.map(|form| form.tip_shift),
-                completeness.as_ref(),
             )
         }
-        _ => (None, None, None, None),
+        _ => (None, None, None),
     };
     let diagnostics: Vec<Value> = match &checked.check.verdict {
         Verdict::Refused(all) | Verdict::Ambiguous(all) | Verdict::Broken(all) => {
@@ -74,7 +70,6 @@ fn file(checked: &Checked) -> Value {
         "structure": structure,
         "plan": plan,
         "tip_shift": tip_shift,
-        "deep": deep,
         "sweep": checked.sweep,
         "replay": checked.replay,
     })

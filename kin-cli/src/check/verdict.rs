@@ -1,6 +1,5 @@
 //! The short verdict on a robot file.
 
-use crate::sweep::{Fault, Kind, Settings, sweep};
 use kin_codegen::arm::CompiledArm;
 use kin_codegen::geometry::structure;
 use kin_codegen::mechanism::CompiledMechanism;
@@ -8,7 +7,6 @@ use kin_codegen::redundancy::Redundancy;
 use kin_codegen::solver::Certified;
 use kin_codegen::spec::one_line;
 use kin_codegen::{Compiled, Diagnostics, Error, Options, Source, compile};
-use serde::Serialize;
 use std::fmt;
 
 /// A robot file and what became of it. Displayed in one line.
@@ -29,8 +27,6 @@ pub enum Verdict {
         structure: String,
         /// The plan, branches and worst residual, in short.
         inverse: String,
-        /// The comparison with the numerical search, if it was asked for.
-        completeness: Option<Completeness>,
         /// The robot, to try more on it.
         robot: Box<Compiled>,
     },
@@ -42,21 +38,7 @@ pub enum Verdict {
     Broken(Diagnostics),
 }
 
-/// A closed form held against the numerical search on targets at random.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Completeness {
-    /// Targets compared; singular ones are not.
-    pub targets: usize,
-    /// Their solutions, by the numerical search.
-    pub solutions: usize,
-    /// Solutions that the closed form lost.
-    pub lost: usize,
-    /// The configuration that made the target of the first of these.
-    pub first: Option<Vec<f64>>,
-}
-
-/// Reruns the certificate of a robot file; compares its closed form with the
-/// numerical search on `deep` targets as well.
+/// Reruns the certificate of a robot file.
 ///
 /// ```
 /// use kin_cli::check::{Verdict, check};
@@ -70,12 +52,12 @@ pub struct Completeness {
 /// home: {xyz: [0.9, 0, 0]}
 /// ";
 /// let source = Source { path: "planar.yaml".into(), text: text.into() };
-/// let Verdict::Solved { completeness, .. } = check(&source, &Options::default(), 5).verdict else {
+/// let Verdict::Solved { inverse, .. } = check(&source, &Options::default()).verdict else {
 ///     panic!("a planar arm is solved")
 /// };
-/// assert!(completeness.is_some_and(|it| it.solutions == 10 && it.lost == 0));
+/// assert!(inverse.contains("2 branches"));
 /// ```
-pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
+pub fn check(source: &Source, options: &Options) -> Check {
     let verdict = match compile(source, options) {
         Err(Error::Broken(diagnostics)) => Verdict::Broken(diagnostics),
         Err(Error::Ambiguous(diagnostics)) => Verdict::Ambiguous(diagnostics),
@@ -91,7 +73,6 @@ pub fn check(source: &Source, options: &Options, deep: usize) -> Check {
                 Compiled::Arm(arm) => of_arm(arm),
                 Compiled::Mechanism(mechanism) => of_mechanism(mechanism),
             },
-            completeness: robot.arm().and_then(|arm| completeness(arm, deep)),
             robot: Box::new(robot),
         },
     };
@@ -170,26 +151,6 @@ fn chains(mechanism: &CompiledMechanism) -> String {
     structures.join(", ")
 }
 
-/// The comparison on `targets` targets; none on no target.
-fn completeness(arm: &CompiledArm, targets: usize) -> Option<Completeness> {
-    let form = arm.form().filter(|_| targets > 0)?;
-    let settings = Settings {
-        targets,
-        oracle: targets,
-        ..Settings::default()
-    };
-    let tally = sweep(&arm.model, form, &settings, &|_| {});
-    let seen = tally.oracle.unwrap_or_default();
-    let missing = |fault: &&Fault| fault.kind == Kind::Missing;
-    let first = tally.faults.iter().find(missing);
-    Some(Completeness {
-        targets: seen.targets,
-        solutions: seen.solutions,
-        lost: seen.missing.regular + seen.missing.near_singular,
-        first: first.map(|fault| fault.q.clone()),
-    })
-}
-
 impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", one_line(&self.path), self.verdict)
@@ -200,16 +161,8 @@ impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Verdict::Solved {
-                structure,
-                inverse,
-                completeness,
-                ..
-            } => {
-                write!(f, "solved: {inverse}; {structure}")?;
-                completeness
-                    .iter()
-                    .try_for_each(|completeness| write!(f, "; {completeness}"))
-            }
+                structure, inverse, ..
+            } => write!(f, "solved: {inverse}; {structure}"),
             Verdict::Refused(diagnostics) => write!(f, "refused: {}", diagnostics.first().reason),
             Verdict::Ambiguous(diagnostics) => {
                 let reason = diagnostics.first().reason.lines().next();
@@ -222,25 +175,6 @@ impl fmt::Display for Verdict {
                     n => write!(f, " (and {} more)", n - 1),
                 }
             }
-        }
-    }
-}
-
-impl fmt::Display for Completeness {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            targets,
-            solutions,
-            lost,
-            ..
-        } = self;
-        match &self.first {
-            None => write!(f, "all {solutions} solutions of {targets} targets found"),
-            Some(q) => write!(
-                f,
-                "{lost} of {solutions} solutions of {targets} targets lost, the first to the \
-                 target of {q:.6?}"
-            ),
         }
     }
 }

@@ -134,11 +134,11 @@ fn sentence(step: &plan::Step, linkage: &Linkage, objects: &[Object]) -> String 
         (Subproblem::Sum, _) => {
             format!("{unknowns} is what the other angles leave of the sum of parallel joints")
         }
-        (Subproblem::Univariate, _) => {
-            "no sequence of subproblems solves the chain; a polynomial in the first joint has \
-             the solutions, and the others follow from its roots"
-                .into()
-        }
+        (Subproblem::Univariate, _) => format!(
+            "no sequence of subproblems solves the chain; a polynomial in {} has the solutions, and \
+             the others follow from its roots",
+            step.unknowns[0]
+        ),
         (_, [one]) if step.relations.iter().any(|relation| relation.is_swivel) => format!(
             "{verb} {unknowns} until {} is where the swivel angle has it",
             one.text

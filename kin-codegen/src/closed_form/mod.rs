@@ -1,6 +1,7 @@
 //! The closed form of an arm: the relations that were read into its axes, the
 //! plan, its expressions, and the refinement onto the arm as given.
 
+mod approximate;
 mod branches;
 mod reading;
 mod roots;

@@ -1,12 +1,11 @@
-//! Of an arm with a parameter, what tells where its branches exist; and what comes nearest to
-//! targets out of reach.
+//! Of an arm with a parameter, what tells where its branches exist.
 
+use super::ClosedForm;
 use super::branches::inputs;
-use super::{ClosedForm, Inverse};
 use crate::expr::Tape;
 use crate::expr::inverse::InverseGraph;
 use kin_runtime::__private::Eliminant;
-use kin_runtime::{Pose, Solution};
+use kin_runtime::Pose;
 
 /// Where the branches of an arm with a parameter exist, by functions of the parameter.
 #[derive(Clone, Debug)]
@@ -97,50 +96,5 @@ impl ClosedForm {
     fn inputs(&self, target: &Pose, parameters: &[f64]) -> Vec<f64> {
         let seed = vec![0.0; self.given.variables()];
         inputs(target, &seed, parameters, self.tolerances().free_below)
-    }
-
-    /// A solution, or for a target out of reach what comes nearest, with its distance as the
-    /// residual; none if the target is not a number. The arm is given by its forward kinematics.
-    pub fn approximate<const N: usize>(
-        &self,
-        target: &Pose,
-        fk: impl Fn(&[f64; N]) -> Pose,
-    ) -> Option<Solution<N>> {
-        if let Inverse::Univariate(arm) = &self.inverse {
-            return arm.closest(target);
-        }
-        let counts = self.plan.target;
-        let projection = self.projection();
-        let seen = projection.target(target);
-        let exact = self.is_exact();
-        let reached = || self.solved::<N>(target, &[]).first().copied();
-        let solution = if exact { None } else { reached() };
-        solution.or_else(|| {
-            let distance = |solution: &Solution<N>| match exact && counts.is_projected() {
-                true => solution.residual,
-                false => {
-                    let tip = projection.pose(&fk(&solution.q));
-                    counts.distance(&tip, &seen, self.linkage.size)
-                }
-            };
-            let mut nearest = None;
-            let mut least = f64::INFINITY;
-            for (exists, solution) in self.all_branches(target, &[], &[0.0; N]) {
-                let residual = distance(&solution);
-                // One that repeats another is no solution, however near it comes.
-                let counted = match !exists && residual < self.acceptance().tolerance {
-                    true => self.acceptance().tolerance,
-                    false => residual,
-                };
-                if counted < least {
-                    least = counted;
-                    nearest = Some(Solution {
-                        residual,
-                        ..solution
-                    });
-                }
-            }
-            nearest
-        })
     }
 }

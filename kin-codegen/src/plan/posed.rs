@@ -6,7 +6,6 @@ use super::solved::Solved;
 use super::{Atom, Kind, Relation, Subproblem, Target};
 use crate::geometry::{Linkage, cross, dot, norm};
 use std::collections::BTreeMap;
-use std::ops::Range;
 
 /// Steps that may degenerate where the arm itself is regular cost this much
 /// more.
@@ -280,21 +279,13 @@ fn joint_of(atom: Atom) -> usize {
 
 /// Whether nothing lies between two unknowns.
 fn adjacent(linkage: &Linkage, a: Atom, b: Atom) -> bool {
-    extent(linkage, a).end == extent(linkage, b).start
-}
-
-/// The joints of an unknown.
-fn extent(linkage: &Linkage, atom: Atom) -> Range<usize> {
-    match atom {
-        Atom::Joint(joint) => joint..joint + 1,
-        Atom::Sum { run, .. } => linkage.runs[run].joints.clone(),
-    }
+    a.joints(linkage).end == b.joints(linkage).start
 }
 
 /// Whether two unknowns turn about axes that are all parallel but for noise, with those between them:
 /// a vector tells little more than the sum of their angles.
 fn is_one_turn(linkage: &Linkage, a: Atom, b: Atom) -> bool {
-    let [first, second] = [a, b].map(|atom| extent(linkage, atom));
+    let [first, second] = [a, b].map(|atom| atom.joints(linkage));
     let direction = linkage.axis(first.start).direction;
     let is_parallel = |joint| {
         !linkage.is_revolute(joint)

@@ -4,6 +4,7 @@ use super::{Invariant, Kind};
 use crate::geometry::{Line, Linkage, Swivel, cross, dot, norm, sub};
 use kin_runtime::Pose;
 use std::fmt;
+use std::ops::Range;
 
 /// An unknown of the loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,6 +21,16 @@ pub enum Atom {
         /// Last turning joint.
         last: usize,
     },
+}
+
+impl Atom {
+    /// The joints that it stands for, with what slides in a run.
+    pub fn joints(self, linkage: &Linkage) -> Range<usize> {
+        match self {
+            Atom::Joint(joint) => joint..joint + 1,
+            Atom::Sum { run, .. } => linkage.runs[run].joints.clone(),
+        }
+    }
 }
 
 impl fmt::Display for Atom {

@@ -79,7 +79,7 @@ macro_rules! define_kinematics {
             /// have no names.
             const POSTURES: &'static [Posture] = &[];
             /// How many branches inverse kinematics looks at, which bounds the number
-            /// of isolated solutions of an arm that is as its design; 0 for an arm
+            /// of isolated solutions of an arm that is as its design; 0 for an arm with parameters or
             /// generated with `ik = none`.
             const BRANCHES: usize;
 

@@ -53,6 +53,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// How many roots of its plan a branch takes, as far as one of them may cease to be real;
     /// 0 where branches come from no plan that has only square roots.
+    #[doc(hidden)]
     const ROOTS: usize = 0;
 
     /// [`RedundantKinematics::PARAMETER`], or that of a robot that is known when the program
@@ -172,6 +173,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// unit: an analytic function of the parameter and of the roots before it. A branch has root i
     /// negative where its bit i is set. Infinite where the argument is always positive. The
     /// first [`RedundantKinematics::ROOTS`] count.
+    #[doc(hidden)]
     fn root_arguments(&self, target: &Pose, parameter: f64) -> [[f64; 16]; 4] {
         let _ = (target, parameter);
         [[f64::INFINITY; 16]; 4]
@@ -219,7 +221,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// are where it meets another branch, because the joints that are not given are
     /// singular there. Ends are exact to 1e-9.
     ///
-    /// Where branches come from the square roots of a plan ([`RedundantKinematics::ROOTS`]), all
+    /// Where branches come from the square roots of a plan, all
     /// ends are zeros of the roots' arguments, each an analytic function on the curves on which
     /// the roots before it are real, and polynomials that are these functions to nine digits
     /// leave none of them out. Which branches there are between two of them,

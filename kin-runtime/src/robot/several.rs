@@ -18,6 +18,7 @@ pub trait HighlyRedundantKinematics<const N: usize, const P: usize>: Kinematics<
     /// How many branches [`HighlyRedundantKinematics::ik_at`] looks at.
     const BRANCHES_AT: usize;
     /// As [`RedundantKinematics::ROOTS`].
+    #[doc(hidden)]
     const ROOTS: usize = 0;
 
     /// All configurations with these parameters that put the tip at the target, as far as the

@@ -79,7 +79,7 @@ impl<const N: usize> Solutions<N> {
     }
 
     /// None yet, for an arm whose joint i is prismatic where bit i of the mask
-    /// is set. Only [`Solutions::nearest`] asks: metres do not wrap.
+    /// is set: metres do not wrap.
     #[inline(always)]
     pub const fn with_prismatic(mask: u64) -> Self {
         Solutions {

@@ -91,7 +91,7 @@ impl Writer<'_> {
     /// far off as the arms differ, or is below a number; whether it did. `unit` is what the value
     /// changes by to second order.
     pub(super) fn doubt(&mut self, value: Expr, unit: Expr, least: Expr) -> bool {
-        if self.g.is(self.singular, 1.0) {
+        if self.g.is(self.branch.singular, 1.0) {
             return self.deviation.is_some();
         }
         let Some(change) = self.change_of(value, unit, least) else {

@@ -87,10 +87,10 @@ impl Writer<'_> {
         root: usize,
         plan: &Plan,
     ) -> Option<FreeAngle> {
-        let level = self.level?;
+        let level = self.step.level?;
         let angle = match free.unknown {
-            Atom::Joint(joint) => self.trig[joint],
-            Atom::Sum { run, .. } => self.sum[run],
+            Atom::Joint(joint) => self.solved.trig[joint],
+            Atom::Sum { run, .. } => self.solved.sum[run],
         };
         let depends = self.g.reachable(&[level.d, level.amplitude])[angle?.sin.index()];
         if !depends {

@@ -231,6 +231,6 @@ impl Writer<'_> {
     fn set_slide(&mut self, unknown: Atom, travel: Expr) {
         let (joint, _) = self.extent(unknown);
         let name = format!("d{}", joint + 1);
-        self.slide[joint] = Some(self.g.named(travel, name));
+        self.solved.slide[joint] = Some(self.g.named(travel, name));
     }
 }

@@ -63,7 +63,7 @@ pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
     let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
     writer.write_all(plan, &FreeAngles::Seeded);
     let mut outputs = writer.angles();
-    outputs.extend([writer.invalid, writer.singular]);
+    outputs.extend([writer.branch.invalid, writer.branch.singular]);
     writer.g.operations_of_lanes(&outputs).weight()
 }
 
@@ -91,6 +91,17 @@ struct Writer<'a> {
     deviation: Option<Deviation>,
     /// See [`FreeAngles::Flagged`].
     flags_badly_told: bool,
+    solved: SolvedMotions,
+    branch: BranchStatus,
+    /// See [`InverseGraph::residual_share`].
+    residual_share: f64,
+    step: StepState,
+    parts: Parts,
+}
+
+/// The unknowns that steps have solved.
+#[derive(Clone)]
+struct SolvedMotions {
     /// By joint: the sine and cosine of its motion.
     trig: Vec<Option<Trig>>,
     /// By joint: how far it slides.
@@ -99,6 +110,11 @@ struct Writer<'a> {
     sum: Vec<Option<Trig>>,
     /// By run: whether the sum was solved before its joints.
     sum_first: Vec<bool>,
+}
+
+/// Whether a branch exists, and how near it is to where it does not.
+#[derive(Clone)]
+struct BranchStatus {
     invalid: Expr,
     singular: Expr,
     /// See [`InverseGraph::margin`].
@@ -107,10 +123,13 @@ struct Writer<'a> {
     meetings: Option<Expr>,
     /// See [`InverseGraph::arguments`].
     arguments: Option<Vec<(Choice, Expr)>>,
-    /// See [`InverseGraph::residual_share`].
-    residual_share: f64,
     /// What has been held against which threshold to flag singularity.
     watched: Vec<(Expr, Expr)>,
+}
+
+/// What a step leaves for those that look at it alone.
+#[derive(Clone)]
+struct StepState {
     /// Vectors shorter than this, squared and relative to their scale, leave the
     /// angle of the step at hand free.
     free: Expr,
@@ -121,7 +140,6 @@ struct Writer<'a> {
     level: Option<Level>,
     /// Which relation of the step written last was the cheapest.
     relation: Option<usize>,
-    parts: Parts,
 }
 
 /// An unknown whose angle is free where a factor is nothing beside its scale.
@@ -172,21 +190,27 @@ impl<'a> Writer<'a> {
             swivel: None,
             deviation,
             flags_badly_told: false,
-            trig: vec![None; n],
-            slide: vec![None; n],
-            sum: vec![None; linkage.runs.len()],
-            sum_first: vec![false; linkage.runs.len()],
-            invalid: zero,
-            singular: zero,
-            margin: None,
-            meetings: None,
-            arguments: Some(Vec::new()),
+            solved: SolvedMotions {
+                trig: vec![None; n],
+                slide: vec![None; n],
+                sum: vec![None; linkage.runs.len()],
+                sum_first: vec![false; linkage.runs.len()],
+            },
+            branch: BranchStatus {
+                invalid: zero,
+                singular: zero,
+                margin: None,
+                meetings: None,
+                arguments: Some(Vec::new()),
+                watched: Vec::new(),
+            },
             residual_share: 1.0,
-            watched: Vec::new(),
-            free: zero,
-            may_be_free: Vec::new(),
-            level: None,
-            relation: None,
+            step: StepState {
+                free: zero,
+                may_be_free: Vec::new(),
+                level: None,
+                relation: None,
+            },
             parts: Parts::default(),
         }
     }
@@ -205,7 +229,7 @@ impl<'a> Writer<'a> {
                     self.set(Atom::Joint(joint), Trig { sin, cos });
                 }
                 JointKind::Prismatic => {
-                    self.slide[joint] = Some(moved);
+                    self.solved.slide[joint] = Some(moved);
                     if self.target == Target::Planar {
                         self.pose =
                             project::lifted(&mut self.g, self.linkage, self.pose, joint, value);
@@ -247,7 +271,7 @@ impl<'a> Writer<'a> {
         };
         if let Some(i) = best {
             self.solve(step, &step.relations[i]);
-            self.relation = Some(i);
+            self.step.relation = Some(i);
         }
     }
 
@@ -260,9 +284,9 @@ impl<'a> Writer<'a> {
 
     /// The cost of everything solved so far.
     fn cost(&self) -> usize {
-        let trig = self.trig.iter().chain(&self.sum).flatten();
+        let trig = self.solved.trig.iter().chain(&self.solved.sum).flatten();
         let mut outputs: Vec<Expr> = trig.flat_map(|t| [t.sin, t.cos]).collect();
-        outputs.extend(self.slide.iter().flatten());
+        outputs.extend(self.solved.slide.iter().flatten());
         self.g.operations(&outputs).weight()
     }
 
@@ -272,10 +296,10 @@ impl<'a> Writer<'a> {
         let cos = self.g.named(trig.cos, format!("c{name}"));
         let trig = Trig { sin, cos };
         match atom {
-            Atom::Joint(joint) => self.trig[joint] = Some(trig),
+            Atom::Joint(joint) => self.solved.trig[joint] = Some(trig),
             Atom::Sum { run, .. } => {
-                self.sum[run] = Some(trig);
-                self.sum_first[run] = true;
+                self.solved.sum[run] = Some(trig);
+                self.solved.sum_first[run] = true;
             }
         }
     }
@@ -325,28 +349,28 @@ impl<'a> Writer<'a> {
     /// The last joint of a run whose sum is known: its angle is the rest.
     fn difference(&mut self, joint: usize) {
         let run = self.linkage.run_of(joint);
-        let Some(mut rest) = self.sum[run] else {
+        let Some(mut rest) = self.solved.sum[run] else {
             return;
         };
         for other in self.linkage.revolutes_of(run) {
-            if let (true, Some(known)) = (other != joint, self.trig[other]) {
+            if let (true, Some(known)) = (other != joint, self.solved.trig[other]) {
                 let back = self.g.reverse(known);
                 rest = self.g.angle_sum(rest, back);
             }
         }
-        self.trig[joint] = Some(rest);
+        self.solved.trig[joint] = Some(rest);
     }
 
     /// The sum of a run's angles, if all of them are known.
     fn run_sum(&mut self, run: usize) -> Option<Trig> {
-        if self.sum[run].is_none() {
+        if self.solved.sum[run].is_none() {
             let joints = self.linkage.revolutes_of(run);
-            let known: Option<Vec<Trig>> = joints.iter().map(|&j| self.trig[j]).collect();
+            let known: Option<Vec<Trig>> = joints.iter().map(|&j| self.solved.trig[j]).collect();
             let mut known = known?.into_iter();
             let first = known.next()?;
-            self.sum[run] = Some(known.fold(first, |a, b| self.g.angle_sum(a, b)));
+            self.solved.sum[run] = Some(known.fold(first, |a, b| self.g.angle_sum(a, b)));
         }
-        self.sum[run]
+        self.solved.sum[run]
     }
 
     /// All steps, and the angles that turn where they are free.
@@ -358,9 +382,9 @@ impl<'a> Writer<'a> {
         let mut threshold = None;
         for (i, step) in plan.steps.iter().enumerate() {
             let begins = self.g.nodes().len();
-            self.level = None;
+            self.step.level = None;
             let turns = free.turns_step(i);
-            self.free = match turns {
+            self.step.free = match turns {
                 true => *threshold.get_or_insert_with(|| self.g.input("free")),
                 false => self.g.constant(self.tolerances.free_below),
             };
@@ -372,11 +396,11 @@ impl<'a> Writer<'a> {
                     free_angles.push(said);
                 }
             }
-            let these = std::mem::take(&mut self.may_be_free);
+            let these = std::mem::take(&mut self.step.may_be_free);
             if turns {
                 may_be_free.extend(these.into_iter().map(|angle| (i, angle)));
             }
-            let relation = self.relation.take();
+            let relation = self.step.relation.take();
             self.parts.steps.push(StepPart { begins, relation });
         }
         free_angles
@@ -390,9 +414,11 @@ impl<'a> Writer<'a> {
         if self.deviation.is_some() {
             // Where a step is in doubt, so is what is read from it, before and behind.
             let zero = self.g.zero();
-            self.invalid = self.g.select_less(zero, self.singular, zero, self.invalid);
+            self.branch.invalid =
+                self.g
+                    .select_less(zero, self.branch.singular, zero, self.branch.invalid);
         }
-        let margin = match (self.margin, self.meetings) {
+        let margin = match (self.branch.margin, self.branch.meetings) {
             (Some(margin), Some(meetings)) => Some(self.g.mul(margin, meetings)),
             (margin, meetings) => margin.or(meetings),
         };
@@ -400,10 +426,10 @@ impl<'a> Writer<'a> {
             parts: self.parts,
             q,
             residual: self.g.named(residual, "residual"),
-            invalid: self.g.named(self.invalid, "invalid"),
-            singular: self.g.named(self.singular, "singular"),
+            invalid: self.g.named(self.branch.invalid, "invalid"),
+            singular: self.g.named(self.branch.singular, "singular"),
             margin,
-            arguments: self.arguments,
+            arguments: self.branch.arguments,
             residual_share: self.residual_share,
             free_angles,
             graph: self.g,
@@ -446,11 +472,11 @@ impl<'a> Writer<'a> {
         let link = &self.linkage.links[joint];
         let (backwards, offset) = (link.gain < 0.0, link.offset);
         if link.kind == JointKind::Prismatic {
-            let slide = self.slide[joint].unwrap_or(self.g.zero());
+            let slide = self.solved.slide[joint].unwrap_or(self.g.zero());
             let offset = self.g.constant(offset);
             return self.g.sub(slide, offset);
         }
-        let Some(mut trig) = self.trig[joint] else {
+        let Some(mut trig) = self.solved.trig[joint] else {
             return self.g.zero();
         };
         if backwards {
@@ -557,10 +583,10 @@ impl<'a> Writer<'a> {
             let last = self.linkage.revolutes_of(run).last().copied();
             let mut sum: Option<Trig> = None;
             for joint in self.linkage.runs[run].joints.clone() {
-                let whole = Some(joint) == last && self.sum_first[run];
+                let whole = Some(joint) == last && self.solved.sum_first[run];
                 if whole {
-                    sum = self.sum[run];
-                } else if let Some(own) = self.trig[joint] {
+                    sum = self.solved.sum[run];
+                } else if let Some(own) = self.solved.trig[joint] {
                     sum = Some(match sum {
                         Some(before) => self.g.angle_sum(before, own),
                         None => own,
@@ -568,7 +594,7 @@ impl<'a> Writer<'a> {
                 }
                 sums.push(sum.unwrap_or(rest));
                 let zero = self.g.zero();
-                slides.push(self.slide[joint].unwrap_or(zero));
+                slides.push(self.solved.slide[joint].unwrap_or(zero));
             }
         }
         JointTrig { sums, slides }

@@ -77,12 +77,14 @@ impl Writer<'_> {
             return None; // Its branches are followed wherever they lead.
         }
         let (square, scale) = (self.inner(coefficients, coefficients), self.g.one());
-        let below = self.nothing(square, scale);
-        self.may_be_free.extend(unknowns.map(|unknown| MayBeFree {
-            unknown,
-            factor: square,
-            scale,
-        }));
+        let below = self.flag_free(square, scale);
+        self.step
+            .may_be_free
+            .extend(unknowns.map(|unknown| MayBeFree {
+                unknown,
+                factor: square,
+                scale,
+            }));
         let seed = unknowns.map(|unknown| self.seeded(unknown));
         let seed = seed.map(|it| [it.cos, it.sin]).concat();
         let [cos, sin] = circle.map(|along| self.inner(along, &seed));

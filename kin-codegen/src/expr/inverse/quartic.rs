@@ -69,7 +69,7 @@ impl Writer<'_> {
             None => double,
         };
         let is_double = self.g.select_less(not_simple, state, one, zero);
-        self.singular = self.g.max(self.singular, is_double);
+        self.branch.singular = self.g.max(self.branch.singular, is_double);
         let absent = match rounding {
             Some(rounding) => {
                 let [height, slope, bend] = self.derivatives(coefficients, trig);
@@ -90,17 +90,17 @@ impl Writer<'_> {
         match &self.deviation {
             None => self.refuse(absent),
             // Roots that nearly exist are not seen.
-            Some(_) => self.singular = one,
+            Some(_) => self.branch.singular = one,
         }
         let discriminant = self.discriminant(coefficients);
         let meeting = match apart {
             Some(apart) => self.g.add(discriminant, apart),
             None => discriminant,
         };
-        let all = self.meetings.take();
+        let all = self.branch.meetings.take();
         let all = all.map(|others| self.g.mul(others, meeting));
-        self.meetings = Some(all.unwrap_or(meeting));
-        self.arguments = None;
+        self.branch.meetings = Some(all.unwrap_or(meeting));
+        self.branch.arguments = None;
         trig
     }
 

@@ -64,7 +64,7 @@ impl Writer<'_> {
             }
         });
         let exact = discriminant.is_sum_of_squares(&self.tolerances);
-        self.level = (!exact).then_some(Level {
+        self.step.level = (!exact).then_some(Level {
             d,
             amplitude,
             discriminant: discriminant.value,
@@ -133,7 +133,8 @@ impl Writer<'_> {
         if !discriminant.is_sum_of_squares(&self.tolerances) {
             let margin = self.scaled(unit.powi(-2), value);
             self.narrow(margin);
-            if let (Some(arguments), Node::Sign(choice)) = (&mut self.arguments, self.g.node(sign))
+            if let (Some(arguments), Node::Sign(choice)) =
+                (&mut self.branch.arguments, self.g.node(sign))
             {
                 arguments.push((choice, margin));
             }
@@ -173,12 +174,12 @@ impl Writer<'_> {
 
     /// Takes the margin of a root into that of the branch: the lesser.
     pub(super) fn narrow(&mut self, margin: Expr) {
-        let lesser = self.margin.map(|before| {
+        let lesser = self.branch.margin.map(|before| {
             let [a, b] = [before, margin].map(|e| self.g.neg(e));
             let larger = self.g.max(a, b);
             self.g.neg(larger)
         });
-        self.margin = Some(lesser.unwrap_or(margin));
+        self.branch.margin = Some(lesser.unwrap_or(margin));
     }
 
     /// The root on an idealized arm. Where it may change its sign, both branches start, each on its
@@ -217,30 +218,30 @@ impl Writer<'_> {
     /// Below this a factor leaves its angle free, and roots of a sum of squares
     /// are one.
     fn free_below(&mut self, scale: Expr) -> Expr {
-        let free = self.free;
+        let free = self.step.free;
         self.g.mul(free, scale)
     }
 
     /// Drops the branches in which a value is positive.
     pub(super) fn refuse(&mut self, invalid: Expr) {
-        self.invalid = if self.g.is(self.invalid, 0.0) {
+        self.branch.invalid = if self.g.is(self.branch.invalid, 0.0) {
             invalid
         } else {
-            self.g.max(self.invalid, invalid)
+            self.g.max(self.branch.invalid, invalid)
         };
     }
 
     /// Flags branches in which a value is below a threshold as singular, unless
     /// it is held against a larger one already.
     pub(super) fn watch(&mut self, value: Expr, threshold: Expr) {
-        let covered = self.watched.iter().any(|(watched, already)| {
+        let covered = self.branch.watched.iter().any(|(watched, already)| {
             let (new, old) = (self.g.value(threshold), self.g.value(*already));
             *watched == value && new.is_some() && new <= old
         });
         if covered {
             return;
         }
-        self.watched.push((value, threshold));
+        self.branch.watched.push((value, threshold));
         let [zero, one] = [self.g.zero(), self.g.one()];
         let singular = self.g.select_less(value, threshold, one, zero);
         self.flag(singular);
@@ -248,9 +249,9 @@ impl Writer<'_> {
 
     /// Flags branches in which a value is positive as singular.
     pub(super) fn flag(&mut self, singular: Expr) {
-        self.singular = match self.g.value(self.singular) {
+        self.branch.singular = match self.g.value(self.branch.singular) {
             Some(0.0) => singular,
-            _ => self.g.max(self.singular, singular),
+            _ => self.g.max(self.branch.singular, singular),
         };
     }
 
@@ -292,11 +293,11 @@ impl Writer<'_> {
             };
         }
         let one = self.g.one();
-        let nothing = self.nothing(factor, scale);
+        let nothing = self.flag_free(factor, scale);
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
-        self.may_be_free.push(MayBeFree {
+        self.step.may_be_free.push(MayBeFree {
             unknown,
             factor,
             scale,
@@ -308,17 +309,17 @@ impl Writer<'_> {
         }
     }
 
-    /// Below this a factor leaves its angle free. As a share of `scale` it is
-    /// the square of the sine that tells the angle.
-    pub(super) fn nothing(&mut self, factor: Expr, scale: Expr) -> Expr {
+    /// Flags branches in which a factor leaves its angle free, unless they are held against more,
+    /// and returns below what it does. As a share of `scale` the factor is the square of the sine
+    /// that tells the angle.
+    pub(super) fn flag_free(&mut self, factor: Expr, scale: Expr) -> Expr {
         let nothing = self.free_below(scale);
-        if self.doubt(factor, scale, nothing) {
-            // It is held against more.
-        } else if self.flags_badly_told {
-            let badly_told = self.scaled(self.tolerances.badly_told, scale);
-            self.watch(factor, badly_told);
-        } else {
-            self.watch(factor, nothing);
+        if !self.doubt(factor, scale, nothing) {
+            let flagged_below = match self.flags_badly_told {
+                true => self.scaled(self.tolerances.badly_told, scale),
+                false => nothing,
+            };
+            self.watch(factor, flagged_below);
         }
         nothing
     }

@@ -238,7 +238,7 @@ impl Writer<'_> {
 
     /// What an expression of constants and of angles found does not exceed; infinite of others.
     fn bound(&self, e: Expr) -> f64 {
-        let found = self.trig.iter().chain(&self.sum).flatten();
+        let found = self.solved.trig.iter().chain(&self.solved.sum).flatten();
         let mut sides = found.flat_map(|trig| [trig.sin, trig.cos]);
         if let Some(bound) = sides.find_map(|side| self.bound_as_side(e, side)) {
             return bound;

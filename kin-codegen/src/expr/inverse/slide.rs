@@ -24,7 +24,7 @@ impl Writer<'_> {
             _ => self.g.dot(v, gap),
         };
         let name = format!("d{}", joint + 1);
-        self.slide[joint] = Some(self.g.named(value, name));
+        self.solved.slide[joint] = Some(self.g.named(value, name));
     }
 
     /// |right + t v − left| = d: two values of t about the foot.
@@ -79,7 +79,7 @@ impl Writer<'_> {
         // Along the plane any travel will do, and the seed's stands for all.
         let square = self.g.square(rate);
         let one = self.g.one();
-        let nothing = self.nothing(square, one);
+        let nothing = self.flag_free(square, one);
         let seeded = self.seeded_joint(joint);
         let seeded = seeded.unwrap_or_else(|| self.g.zero());
         let travel = self.g.div(rest, rate);

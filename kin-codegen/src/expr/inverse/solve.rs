@@ -133,7 +133,7 @@ impl Writer<'_> {
         let (joint, _) = self.extent(unknown);
         let first = self.linkage.runs[self.linkage.run_of(joint)].joints.start;
         let (near, far) = (&relation.from, relation.to.as_ref()?);
-        let is_known = self.trig[..first].iter().all(Option::is_some);
+        let is_known = self.solved.trig[..first].iter().all(Option::is_some);
         if !is_known || near.joints.start > first {
             return None;
         }
@@ -169,13 +169,8 @@ impl Writer<'_> {
 
     /// The first joint and the end of the joints that an unknown stands for.
     pub(super) fn extent(&self, unknown: Atom) -> (usize, usize) {
-        match unknown {
-            Atom::Joint(joint) => (joint, joint + 1),
-            Atom::Sum { run, .. } => {
-                let joints = &self.linkage.runs[run].joints;
-                (joints.start, joints.end)
-            }
-        }
+        let joints = unknown.joints(self.linkage);
+        (joints.start, joints.end)
     }
 
     /// Transports both invariants to the unknown, and one to the other along the

@@ -149,7 +149,7 @@ impl Writer<'_> {
     /// J x.
     fn cross_joint(&mut self, x: Transported, joint: usize) -> Transported {
         match self.linkage.links[joint].kind {
-            JointKind::Revolute => match self.trig[joint] {
+            JointKind::Revolute => match self.solved.trig[joint] {
                 Some(t) => self.turn(x, t),
                 None => x,
             },
@@ -166,7 +166,7 @@ impl Writer<'_> {
     /// J⁻¹ x.
     fn uncross_joint(&mut self, x: Transported, joint: usize) -> Transported {
         match self.linkage.links[joint].kind {
-            JointKind::Revolute => match self.trig[joint] {
+            JointKind::Revolute => match self.solved.trig[joint] {
                 Some(t) => {
                     let back = self.g.reverse(t);
                     self.turn(x, back)
@@ -186,7 +186,7 @@ impl Writer<'_> {
     /// The vector by which a joint slides.
     fn shift(&mut self, joint: usize) -> Vector {
         let v = self.g.vector(self.linkage.links[joint].direction);
-        let slide = self.slide[joint].unwrap_or_else(|| self.g.zero());
+        let slide = self.solved.slide[joint].unwrap_or_else(|| self.g.zero());
         self.g.scale(slide, v)
     }
 
