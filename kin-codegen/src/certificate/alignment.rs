@@ -23,7 +23,7 @@ const STEPS: usize = 60;
 /// Configurations with two axes aligned.
 pub fn aligned(model: &Model) -> Vec<Vec<f64>> {
     let mut random = Random(0x853c_49e6_748f_ea9b);
-    let arm = Arm {
+    let arm = Aligner {
         model,
         axes: axes(model),
         chain: model.chain(),
@@ -44,7 +44,7 @@ pub fn neighbours(configurations: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-struct Arm<'a> {
+struct Aligner<'a> {
     model: &'a Model,
     /// At home, base coordinates.
     axes: Vec<Line>,
@@ -67,7 +67,7 @@ impl Point {
     }
 }
 
-impl Arm<'_> {
+impl Aligner<'_> {
     fn alignments(&self, random: &mut Random) -> Vec<Vec<f64>> {
         let n = self.axes.len();
         let random_ones: Vec<Vec<f64>> = configurations(self.model);

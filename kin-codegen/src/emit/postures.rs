@@ -55,7 +55,7 @@ impl Postures {
         let Inverse::Expressions(_) = &solver.inverse else {
             return None;
         };
-        let arm = Arm::new(&solver.idealized.model, solver.linkage.size);
+        let arm = PostureArm::new(&solver.idealized.model, solver.linkage.size);
         let candidates = arm.candidates();
         let seen = seen(solver, &arm, &candidates);
         let choices = solver.plan.choices();
@@ -124,7 +124,7 @@ struct Seen {
     signs: Vec<Option<bool>>,
 }
 
-fn seen(solver: &ClosedForm, arm: &Arm, candidates: &[Candidate]) -> Vec<Seen> {
+fn seen(solver: &ClosedForm, arm: &PostureArm, candidates: &[Candidate]) -> Vec<Seen> {
     let mut random = Random(0x6a09_e667_f3bc_c909);
     let tolerance = solver.acceptance().tolerance;
     let mut seen = Vec::new();
@@ -174,7 +174,7 @@ fn parity(seen: &[Seen], candidate: usize, choices: u8) -> Option<(u32, bool)> {
 }
 
 /// Of an arm at a configuration.
-type Value = Box<dyn Fn(&Arm, &At) -> Option<f64>>;
+type Value = Box<dyn Fn(&PostureArm, &At) -> Option<f64>>;
 
 /// A posture that the arm may have.
 struct Candidate {
@@ -202,7 +202,7 @@ impl Candidate {
 }
 
 /// The arm with what postures are told by.
-struct Arm<'a> {
+struct PostureArm<'a> {
     model: &'a Model,
     chain: Chain,
     size: f64,
@@ -218,7 +218,7 @@ struct At {
 
 const UP: Vec3 = [0.0, 0.0, 1.0];
 
-impl<'a> Arm<'a> {
+impl<'a> PostureArm<'a> {
     fn new(model: &'a Model, size: f64) -> Self {
         let chain = model.chain();
         let home = At::new(&chain, &vec![0.0; model.variables.len()]);
@@ -486,7 +486,7 @@ impl Hand {
         }
     }
 
-    fn at(&self, arm: &Arm, at: &At) -> Option<Vec3> {
+    fn at(&self, arm: &PostureArm, at: &At) -> Option<Vec3> {
         match self {
             Hand::Axis(joint) => Some(at.lines[*joint]?.point),
             Hand::Meeting(joints) => meeting(at, joints, arm.size),

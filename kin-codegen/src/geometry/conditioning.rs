@@ -102,13 +102,17 @@ pub fn volume(chain: &Chain, q: &[f64], size: f64, target: Target, locked: &[usi
 /// The motion of six joints that moves the tip least, of length 1; none of more or fewer.
 pub fn weak_motion(chain: &Chain, q: &[f64], size: f64) -> Option<[f64; 6]> {
     let columns: [Twist; 6] = chain.geometric_jacobian(q).try_into().ok()?;
+    let values = SingularValues::<6, 6>::new(&unitless_rows(&columns, size));
+    Some(values.right(5))
+}
+
+/// The rows of a Jacobian with these columns, lengths in units of the arm's size.
+pub(super) fn unitless_rows(columns: &[Twist; 6], size: f64) -> [[f64; 6]; 6] {
     let entry = |row: usize, twist: &Twist| match row {
         0..3 => twist.linear[row] / size,
         _ => twist.angular[row - 3],
     };
-    let rows = std::array::from_fn(|row| columns.each_ref().map(|twist| entry(row, twist)));
-    let values = SingularValues::<6, 6>::new(&rows);
-    Some(values.right(5))
+    std::array::from_fn(|row| columns.each_ref().map(|twist| entry(row, twist)))
 }
 
 /// The lengths of the Jacobian's columns when each is made perpendicular to

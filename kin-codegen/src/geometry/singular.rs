@@ -1,7 +1,9 @@
 //! Conditions under which the twists of joints depend on each other whatever
 //! the rest of the arm is like (MLS section 3.4.3 and its exercises).
 
-use super::{Axis, Line, Vec3, along, cross, dot, norm, sub};
+use super::conditioning::unitless_rows;
+use super::{Axis, Line, Vec3, cross, dot, norm, sub};
+use kin_runtime::__private::SingularValues;
 use kin_runtime::Twist;
 use std::fmt;
 
@@ -35,7 +37,7 @@ pub enum Condition {
 /// frame. `size` is the arm's, metres; lengths are judged relative to it.
 pub fn conditions(twists: &[Twist], size: f64) -> Vec<Condition> {
     let axes: Vec<Axis<Vec3>> = twists.iter().map(axis_of).collect();
-    let arm = Arm {
+    let arm = ArmAxes {
         axes: &axes,
         length: NEAR * size,
     };
@@ -86,6 +88,8 @@ pub fn conditions(twists: &[Twist], size: f64) -> Vec<Condition> {
 
 /// Radians, and multiples of the arm's size.
 const NEAR: f64 = 1e-7;
+/// The least singular value of an independent motion.
+const LEAST: f64 = 1e-5;
 
 fn pairs(n: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| (i, j)))
@@ -100,12 +104,12 @@ fn axis_of(twist: &Twist) -> Axis<Vec3> {
     }
 }
 
-struct Arm<'a> {
+struct ArmAxes<'a> {
     axes: &'a [Axis<Vec3>],
     length: f64,
 }
 
-impl Arm<'_> {
+impl ArmAxes<'_> {
     fn line(&self, i: usize) -> Option<Line> {
         match self.axes[i] {
             Axis::Revolute { direction, point } => Some(Line { direction, point }),
@@ -213,61 +217,14 @@ fn all_meet_a_line(twists: &[Twist], size: f64) -> bool {
     norm(f) > 1e-3 && dot(f, t).abs() < NEAR * norm(f)
 }
 
-/// The wrench (force, moment / size) that six twists of rank 5 leave alone,
-/// of length 1: the left null vector, by elimination with full pivoting. None
-/// if the rank is 6, or less than 5.
+/// The wrench (force, moment / size) that six twists of rank 5 leave alone, of length 1. None if
+/// the rank is 6, or less than 5.
 fn bearing_wrench(twists: &[Twist], size: f64) -> Option<[Vec3; 2]> {
-    // Rows are joints, columns (v / size, ω), so that the product with
-    // (f, τ / size) is the work.
-    let mut rows: Vec<[f64; 6]> = (twists.iter())
-        .map(|twist| {
-            let [x, y, z] = twist.linear.map(|x| x / size);
-            let [a, b, c] = twist.angular;
-            [x, y, z, a, b, c]
-        })
-        .collect();
-    let mut order = [0, 1, 2, 3, 4, 5];
-    for step in 0..5 {
-        let entries = (step..6).flat_map(|r| (step..6).map(move |c| (r, c)));
-        let (r, c) =
-            entries.max_by(|a, b| rows[a.0][a.1].abs().total_cmp(&rows[b.0][b.1].abs()))?;
-        if rows[r][c].abs() < 1e-5 {
-            return None;
-        }
-        rows.swap(step, r);
-        order.swap(step, c);
-        for row in &mut rows {
-            row.swap(step, c);
-        }
-        for i in step + 1..6 {
-            let factor = rows[i][step] / rows[step][step];
-            for j in step..6 {
-                rows[i][j] -= factor * rows[step][j];
-            }
-        }
-    }
-    if rows[5][5].abs() > NEAR {
-        return None;
-    }
-    let mut solved = [0.0; 6];
-    solved[5] = 1.0;
-    for i in (0..5).rev() {
-        let known: f64 = (i + 1..6).map(|j| rows[i][j] * solved[j]).sum();
-        solved[i] = -known / rows[i][i];
-    }
-    let mut wrench = [0.0; 6];
-    for (place, value) in order.into_iter().zip(solved) {
-        wrench[place] = value;
-    }
-    let length = wrench.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let [f, t] = [0, 3].map(|i| {
-        along(
-            [0.0; 3],
-            1.0 / length,
-            [wrench[i], wrench[i + 1], wrench[i + 2]],
-        )
-    });
-    Some([f, t])
+    let columns: &[Twist; 6] = twists.try_into().ok()?;
+    let found = SingularValues::<6, 6>::new(&unitless_rows(columns, size));
+    let is_of_rank_5 = found.values[4] > LEAST && found.values[5] <= NEAR;
+    let [fx, fy, fz, tx, ty, tz] = found.left[5];
+    is_of_rank_5.then_some([[fx, fy, fz], [tx, ty, tz]])
 }
 
 impl fmt::Display for Condition {

@@ -104,7 +104,7 @@ struct Below<'s> {
 }
 
 /// What may be meant by the arm.
-struct Arm {
+struct Limb {
     /// The link that it stands on.
     base: usize,
     /// The joints that move, from that link on; not empty.
@@ -304,8 +304,8 @@ impl Below<'_> {
 
     /// The arms among lines of moving joints, each once, those of most joints first. Of lines that
     /// begin alike, the most that are fingers on one arm are that arm.
-    fn arms(&self, base: usize, ends: &[Vec<usize>]) -> Vec<Arm> {
-        let mut arms: Vec<Arm> = Vec::new();
+    fn arms(&self, base: usize, ends: &[Vec<usize>]) -> Vec<Limb> {
+        let mut arms: Vec<Limb> = Vec::new();
         let mut rest = ends;
         while let Some(first) = rest.first() {
             // Sorted, those that begin alike stand together.
@@ -324,7 +324,7 @@ impl Below<'_> {
             // Lines may differ in their fingers alone.
             match arms.iter_mut().find(|arm| arm.joints == joints) {
                 Some(arm) => arm.fingers = sorted([&arm.fingers[..], &fingers].concat()),
-                None => arms.push(Arm {
+                None => arms.push(Limb {
                     base,
                     joints: joints.to_vec(),
                     fingers,
@@ -354,8 +354,8 @@ impl Below<'_> {
 
     /// Whether the first of several arms is the only one: the others drive, as wheels and casters,
     /// or look. The longest finger of a hand is no arm.
-    fn is_carried(&self, base: usize, arm: &Arm, others: &[Arm]) -> bool {
-        let is_no_limb = |other: &Arm| {
+    fn is_carried(&self, base: usize, arm: &Limb, others: &[Limb]) -> bool {
+        let is_no_limb = |other: &Limb| {
             let shared = other.joints.iter().filter(|j| arm.joints.contains(j));
             let shared = shared.count();
             // What carries both may have any number of joints, if the arm has enough of its own.
@@ -370,7 +370,7 @@ impl Below<'_> {
     }
 
     /// The link that an arm ends with: what its last joint moves, or what carries the fingers.
-    fn last(&self, arm: &Arm) -> usize {
+    fn last(&self, arm: &Limb) -> usize {
         match (&arm.fingers[..], &arm.joints[..]) {
             ([], [.., joint]) => self.spec.joints[*joint].child,
             (fingers, _) => self.carrier(fingers),
@@ -378,7 +378,7 @@ impl Below<'_> {
     }
 
     /// The tip of an arm, with a warning of what is left out behind it.
-    fn tip(&self, base: usize, arm: &Arm, diagnostics: &mut Collector) -> usize {
+    fn tip(&self, base: usize, arm: &Limb, diagnostics: &mut Collector) -> usize {
         let has_fingers = !arm.fingers.is_empty();
         let tip = self.rigid_tip(self.last(arm), has_fingers, diagnostics);
         if has_fingers {
@@ -449,7 +449,7 @@ impl Below<'_> {
         (link, Some(reason))
     }
 
-    fn warn_of_fingers(&self, base: usize, tip: usize, arm: &Arm, diagnostics: &mut Collector) {
+    fn warn_of_fingers(&self, base: usize, tip: usize, arm: &Limb, diagnostics: &mut Collector) {
         let fingers = arm.fingers.iter().map(|&j| &self.spec.joints[j]);
         let names: Vec<&str> = fingers.map(|joint| joint.name.as_str()).collect();
         let moved = arm.joints.last().map(|&j| self.spec.joints[j].child);
@@ -475,12 +475,18 @@ impl Below<'_> {
     }
 
     /// The name of the tip of an arm that is not taken.
-    fn listed_tip(&self, arm: &Arm) -> &str {
+    fn listed_tip(&self, arm: &Limb) -> &str {
         let (tip, _) = self.end(self.last(arm), !arm.fingers.is_empty());
         &self.spec.links[tip].name
     }
 
-    fn warn_of_others(&self, base: usize, tip: usize, others: &[Arm], diagnostics: &mut Collector) {
+    fn warn_of_others(
+        &self,
+        base: usize,
+        tip: usize,
+        others: &[Limb],
+        diagnostics: &mut Collector,
+    ) {
         let names: Vec<&str> = others.iter().map(|arm| self.listed_tip(arm)).collect();
         let [base, tip] = [base, tip].map(|link| &self.spec.links[link].name);
         let (subject, verb) = match names.len() {
@@ -499,14 +505,14 @@ impl Below<'_> {
     fn report_ambiguous(
         &self,
         base: usize,
-        arms: &[Arm],
+        arms: &[Limb],
         or_more: bool,
         diagnostics: &mut Collector,
     ) {
         /// More are no help.
         const SHOWN: usize = 8;
         let name = |link: usize| self.spec.links[link].name.as_str();
-        let line = |arm: &Arm| {
+        let line = |arm: &Limb| {
             let joints: Vec<&str> = arm
                 .joints
                 .iter()
