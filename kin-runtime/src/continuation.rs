@@ -12,7 +12,7 @@ use crate::types::Pose;
 const NEWTON_STEPS: usize = 10;
 /// How exactly a target is met, relative to its distance from the base or the arm's; angles
 /// to that in metres, or to one. Rounding in forward kinematics is a hundredth of this.
-const MET: f64 = 1e-12;
+const CONVERGED: f64 = 1e-12;
 
 /// A hyperplane n · (x − p) = 0 that cuts a curve.
 pub(crate) struct Cut<const D: usize> {
@@ -62,16 +62,16 @@ impl<const D: usize, const R: usize> Equations<D, R> {
         Span::of(count, row, dependent)
     }
 
-    fn are_met(&self) -> bool {
-        let (missing, met) = (self.missing.iter().enumerate(), self.met());
+    fn are_satisfied(&self) -> bool {
+        let (missing, met) = (self.missing.iter().enumerate(), self.tolerances());
         missing
             .map(|(i, x)| (x.abs(), met[usize::from(i >= 3)]))
             .all(|(x, met)| x <= met)
     }
 
     /// How exactly: metres, then radians. A small arm is as exact for its size.
-    fn met(&self) -> [f64; 2] {
-        [self.size, self.size.max(1.0)].map(|size| MET * size)
+    fn tolerances(&self) -> [f64; 2] {
+        [self.size, self.size.max(1.0)].map(|size| CONVERGED * size)
     }
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn meet<const D: usize, const R: usize>(
     for _ in 0..NEWTON_STEPS {
         let equations = equations(&x);
         let off = -dot(cut.normal, along(&x, &cut.point, -1.0));
-        if equations.are_met() && off.abs() <= equations.met()[1] {
+        if equations.are_satisfied() && off.abs() <= equations.tolerances()[1] {
             return Some(x);
         }
         let span = equations.span(resting, Some(&cut.normal), RANK_TOLERANCE);

@@ -46,7 +46,12 @@ impl Robot {
         })
     }
 
-    fn each<T>(&self, tape: &Tape, q: &[f64], told: impl Fn(&Lanes<LANES>, usize) -> T) -> Vec<T> {
+    fn each<T>(
+        &self,
+        tape: &Tape,
+        q: &[f64],
+        output: impl Fn(&Lanes<LANES>, usize) -> T,
+    ) -> Vec<T> {
         let joints = self.joints();
         assert!(
             joints > 0 && q.len().is_multiple_of(joints),
@@ -59,7 +64,7 @@ impl Robot {
             let last = some.len() - 1;
             let inputs: [&[f64]; LANES] = std::array::from_fn(|k| some[k.min(last)]);
             let values = tape.run_each::<LANES, LANES>(inputs, 0);
-            answers.extend((0..some.len()).map(|lane| told(&values, lane)));
+            answers.extend((0..some.len()).map(|lane| output(&values, lane)));
         }
         answers
     }

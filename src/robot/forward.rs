@@ -16,7 +16,7 @@ impl Robot {
         &self.arm.model.base
     }
 
-    /// The link whose poses are told.
+    /// The link whose poses are asked for.
     pub fn tip(&self) -> &str {
         &self.arm.model.tip
     }
@@ -159,8 +159,8 @@ impl Robot {
     /// name. Empty where they are not known.
     pub fn singularities(&self, q: &[f64]) -> Vec<(&str, f64)> {
         self.check(q);
-        let told = self.arm.singular().zip(self.singular());
-        let Some((singular, tape)) = told else {
+        let both = self.arm.singular().zip(self.singular());
+        let Some((singular, tape)) = both else {
             return Vec::new();
         };
         let values = tape.run::<1>(q, 0);

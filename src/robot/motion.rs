@@ -6,46 +6,47 @@ use kin_runtime::{Basis, Hessian, Jacobian, Kinematics, Manipulability, Twist, W
 
 /// What an array of N joints is on slices, of a robot that may have fewer.
 trait OnSlices {
-    type Told;
-    fn told(self, joints: usize) -> Self::Told;
+    type Output;
+    fn into_output(self, joints: usize) -> Self::Output;
 }
 
 impl<const N: usize> OnSlices for Jacobian<N> {
-    type Told = Vec<Twist>;
-    fn told(self, joints: usize) -> Vec<Twist> {
+    type Output = Vec<Twist>;
+    fn into_output(self, joints: usize) -> Vec<Twist> {
         (0..joints).map(|joint| self.column(joint)).collect()
     }
 }
 
 impl<const N: usize> OnSlices for Hessian<N> {
-    type Told = Vec<Vec<Twist>>;
-    fn told(self, joints: usize) -> Vec<Vec<Twist>> {
+    type Output = Vec<Vec<Twist>>;
+    fn into_output(self, joints: usize) -> Vec<Vec<Twist>> {
         let own = self.derivatives[..joints].iter();
-        own.map(|derivative| derivative.told(joints)).collect()
+        own.map(|derivative| derivative.into_output(joints))
+            .collect()
     }
 }
 
 impl<const N: usize> OnSlices for [f64; N] {
-    type Told = Vec<f64>;
-    fn told(self, joints: usize) -> Vec<f64> {
+    type Output = Vec<f64>;
+    fn into_output(self, joints: usize) -> Vec<f64> {
         self[..joints].to_vec()
     }
 }
 
 impl<const N: usize> OnSlices for Basis<[f64; N], N> {
-    type Told = Vec<Vec<f64>>;
+    type Output = Vec<Vec<f64>>;
     /// The joints that a robot has not, each by itself, are the last motions.
-    fn told(self, joints: usize) -> Vec<Vec<f64>> {
+    fn into_output(self, joints: usize) -> Vec<Vec<f64>> {
         let own = self.iter().take(self.len() + joints - N);
-        own.map(|vector| vector.told(joints)).collect()
+        own.map(|vector| vector.into_output(joints)).collect()
     }
 }
 
 macro_rules! same_on_slices {
     ($($type:ty)*) => { $(
         impl OnSlices for $type {
-            type Told = Self;
-            fn told(self, _: usize) -> Self {
+            type Output = Self;
+            fn into_output(self, _: usize) -> Self {
                 self
             }
         }
@@ -67,7 +68,7 @@ const COUNTED: &str = "1 to 64 joints: robots of more are refused when they are 
 macro_rules! on_slices {
     ($(
         $(#[$attribute:meta])*
-        fn $method:ident(q $(, $slice:ident)? $(; $given:ident: $type:ty)?) -> $told:ty;
+        fn $method:ident(q $(, $slice:ident)? $(; $given:ident: $type:ty)?) -> $output:ty;
     )*) => {
         /// Velocities, forces, and how Jacobians change. Slices that have not a value for each
         /// joint panic.
@@ -78,12 +79,12 @@ macro_rules! on_slices {
                 q: &[f64],
                 $($slice: &[f64],)?
                 $($given: $type,)?
-            ) -> $told {
+            ) -> $output {
                 self.check(q);
                 $(self.check($slice);)?
                 with_capacity!(self.joints(), N => {
                     let arm = OfJoints::<N>::new(self);
-                    arm.$method(&padded(q) $(, &padded($slice))? $(, $given)?).told(self.joints())
+                    arm.$method(&padded(q) $(, &padded($slice))? $(, $given)?).into_output(self.joints())
                 })
                 .expect(COUNTED)
             }
@@ -142,7 +143,7 @@ macro_rules! by_joint {
                     let n = self.joints();
                     self.check(q);
                     with_constant!(n, N => {
-                        OfJoints::<N>::new(self).$hessian(array(q)).told(n)
+                        OfJoints::<N>::new(self).$hessian(array(q)).into_output(n)
                     })
                     .unwrap_or_else(|| (0..n).map(|k| self.$dot(q, &unit(n, k))).collect())
                 }
@@ -153,12 +154,12 @@ macro_rules! by_joint {
                     let n = self.joints();
                     self.check(q);
                     with_constant!(n, N => {
-                        OfJoints::<N>::new(self).$gradient(array(q)).told(n)
+                        OfJoints::<N>::new(self).$gradient(array(q)).into_output(n)
                     })
                     .or_else(|| with_capacity!(n, N => {
                         let (arm, q) = (OfJoints::<N>::new(self), padded(q));
                         let one = |k| arm.geometric_jacobian_dot(&q, &padded(&unit(N, k)));
-                        arm.geometric_jacobian(&q).$one_by_one(one).told(n)
+                        arm.geometric_jacobian(&q).$one_by_one(one).into_output(n)
                     }))
                     .expect(COUNTED)
                 }

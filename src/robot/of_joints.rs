@@ -121,7 +121,7 @@ impl<const N: usize> Kinematics<N> for OfJoints<'_, N> {
         std::array::from_fn(|i| limits.get(i).copied().unwrap_or(JointLimit::Continuous))
     }
 
-    fn counting(&self) -> Target {
+    fn own_target(&self) -> Target {
         self.robot.target()
     }
 

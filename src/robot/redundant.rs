@@ -54,7 +54,7 @@ impl Robot {
     /// puts the tip there.
     pub fn redundancy(&self, pose: &Pose, q: &[f64]) -> Vec<f64> {
         self.check(q);
-        let told = |place| match self.parameter(place)? {
+        let value = |place| match self.parameter(place)? {
             Parameter::Joint(joint) => Some(q[joint]),
             Parameter::Turn => Some(pose.turn_to(&self.fk(q))),
             Parameter::Swivel(swivel) => {
@@ -64,7 +64,7 @@ impl Robot {
                 })
             }
         };
-        (0..self.parameters()).filter_map(told).collect()
+        (0..self.parameters()).filter_map(value).collect()
     }
 
     /// The robot along its one parameter.

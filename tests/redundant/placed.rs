@@ -43,7 +43,7 @@ fn is_the_arm<const N: usize>(robot: impl RedundantKinematics<N> + Copy, tool: P
         );
         for solution in &solutions {
             let reached = placed.fk(&solution.q);
-            assert!(robot.counting().distance(&reached, &target, 1.0) < 1e-8);
+            assert!(robot.own_target().distance(&reached, &target, 1.0) < 1e-8);
         }
         let (all, of_tip) = (placed.feasible(&target), robot.feasible(&robot.fk(&q)));
         assert_eq!(all.len(), of_tip.len());

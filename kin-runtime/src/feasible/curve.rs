@@ -8,7 +8,7 @@ use crate::{FeasibleInterval, RedundantKinematics, math};
 use core::f64::consts::{PI, TAU};
 
 /// Arguments of roots below this are zero: the branches of both signs are one.
-const MET: f64 = 1e-11;
+const ZERO_ARGUMENT: f64 = 1e-11;
 
 /// A branch over an interval of the parameter.
 pub(super) struct Curve {
@@ -137,7 +137,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let own = solutions.iter().find(|it| it.branch as usize == branch);
         let found = own.or_else(|| {
             let arguments = self.robot.root_arguments(self.target, value);
-            let met = (0..self.roots).filter(|&root| arguments[root][branch].abs() < MET);
+            let met = (0..self.roots).filter(|&root| arguments[root][branch].abs() < ZERO_ARGUMENT);
             let signs = met.fold(0, |signs, root| signs | 1 << root);
             let is_same = |other: usize| (other ^ branch) & !signs == 0;
             solutions.iter().find(|it| is_same(it.branch as usize))

@@ -1,6 +1,7 @@
 //! Intervals by a plan alone: where its roots meet, branches may begin and end, and between such
 //! places the solutions at one value tell which of them there are.
 
+use super::change::change;
 use super::interval::FeasibleInterval;
 use super::task::Task;
 use crate::{RedundantKinematics, Solutions};
@@ -60,14 +61,9 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let own = runs(&cells, lane, turns).into_iter();
             all.extend(own.map(|run| (run, lane)));
         }
-        // Those with the same middle one behind the other.
         all.sort_by_key(|(run, _)| (run.first, run.last));
-        let mut last = None;
         let each = all.into_iter();
-        let each = each.filter_map(|(run, lane)| {
-            let interval = self.of_run(&cells, lane, run, &mut last)?;
-            Some((lane, interval))
-        });
+        let each = each.filter_map(|(run, lane)| Some((lane, self.of_run(&cells, lane, run)?)));
         let mut found: Vec<(usize, FeasibleInterval<N>)> = each.collect();
         self.isolated(cuts, &cells, turns, &mut found);
         found
@@ -93,29 +89,23 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             values.push(first + TAU);
         }
         let there = |value: f64| branches(&self.solutions(value));
-        let change = |pair: &[f64]| {
-            let [mut low, mut high] = [pair[0], pair[1]];
+        let changed = |pair: &[f64]| {
+            let [low, high] = [pair[0], pair[1]];
             let before = there(low);
             if there(high) == before {
                 return None;
             }
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                match there(middle) == before {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
+            let change = change([low, high], HALVINGS, |value| there(value) == before);
             Some(Cut {
                 value: match self.turns(self.parameter) {
-                    true => crate::math::wrap(high),
-                    false => high,
+                    true => crate::math::wrap(change),
+                    false => change,
                 },
                 touches: false,
             })
         };
         let mut cuts = self.stops();
-        cuts.extend(values.windows(2).filter_map(change));
+        cuts.extend(values.windows(2).filter_map(changed));
         cuts.sort_by(|a, b| a.value.total_cmp(&b.value));
         cuts
     }
@@ -169,15 +159,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         ends.windows(2).map(cell).collect()
     }
 
-    /// The interval of a branch that exists in a run of cells. `last` has what was solved
-    /// last, which other branches may share.
-    fn of_run(
-        &self,
-        cells: &[Cell],
-        lane: usize,
-        run: Run,
-        last: &mut Option<(f64, Solutions<N>)>,
-    ) -> Option<FeasibleInterval<N>> {
+    /// The interval of a branch that exists in a run of cells.
+    fn of_run(&self, cells: &[Cell], lane: usize, run: Run) -> Option<FeasibleInterval<N>> {
         let n = cells.len();
         let turned = (run.last / n - run.first / n) as f64;
         let from = cells[run.first % n].from;
@@ -185,9 +168,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let middles = MIDDLES.map(|share| from + share * (to - from));
         let mut values = middles.into_iter().chain([cells[run.first % n].amid]);
         let q = values.find_map(|value| {
-            let known = last.take().filter(|known| known.0 == value);
-            let known = known.unwrap_or_else(|| (value, self.robot.ik_at(self.target, value)));
-            let (_, solutions) = last.insert(known);
+            let solutions = self.solutions(value);
             let solution = solutions.iter().find(|found| found.branch as usize == lane);
             solution.map(|solution| solution.q)
         });

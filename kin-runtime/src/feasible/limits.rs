@@ -1,5 +1,6 @@
 //! Parts of a curve on which all joints are within their limits.
 
+use super::change::change;
 use super::curve::{Curve, Part};
 use super::interpolant::Cosines;
 use super::lanes::AMID;
@@ -72,18 +73,11 @@ fn changes(inside: &dyn Fn(f64) -> bool, whole: &Part) -> Vec<f64> {
     let at = |i: usize| whole.from + (whole.to - whole.from) * i as f64 / SAMPLES as f64;
     let samples: Vec<(f64, bool)> = (0..=SAMPLES).map(|i| (at(i), inside(at(i)))).collect();
     let changed = samples.windows(2).filter(|pair| pair[0].1 != pair[1].1);
-    let change = |pair: &[(f64, bool)]| {
-        let [(mut low, before), (mut high, _)] = [pair[0], pair[1]];
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            match inside(middle) == before {
-                true => low = middle,
-                false => high = middle,
-            }
-        }
-        high
+    let halved = |pair: &[(f64, bool)]| {
+        let [(low, before), (high, _)] = [pair[0], pair[1]];
+        change([low, high], HALVINGS, |value| inside(value) == before)
     };
-    changed.map(change).collect()
+    changed.map(halved).collect()
 }
 
 /// Of a closed curve, the last part goes on as the first if both reach where it was cut.

@@ -14,6 +14,7 @@
 
 mod arcs;
 mod best;
+mod change;
 mod chebyshev;
 mod curve;
 mod eliminant;

@@ -16,7 +16,7 @@ const SHORT: f64 = 1e-9;
 
 /// Equations count as dependent below this share of the longest: solutions that have met are known
 /// to the root of what numbers are, and nothing tells how they go on.
-const MET: f64 = 1e-6;
+const DEPENDENT: f64 = 1e-6;
 
 /// All solutions at one value of the parameter.
 #[derive(Clone, Debug)]
@@ -41,7 +41,9 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             .map(|found| self.point(&found.q, parameter));
         Sample {
             parameter,
-            places: points.filter_map(|x| self.place_where(x, MET)).collect(),
+            places: points
+                .filter_map(|x| self.place_where(x, DEPENDENT))
+                .collect(),
         }
     }
 

@@ -91,7 +91,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
                     .held_swivel()
                     .map(|(swivel, angle)| (swivel, Some(angle))),
             },
-            counts: robot.counting_at(),
+            counts: robot.own_target_at(),
             solved: RefCell::default(),
         }
     }

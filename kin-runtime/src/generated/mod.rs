@@ -1,4 +1,4 @@
-//! What only generated code calls. It is no part of the public interface:
+//! What generated code calls. It is no part of the public interface:
 //! [`generated_by`](crate::generated_by) holds generated code to the version
 //! of the compiler that this is made for.
 

@@ -4,15 +4,14 @@ use alloc::{vec, vec::Vec};
 use core::f64::consts::PI;
 
 use super::mechanism::Mechanism;
-use super::starts::Starts;
+use super::starts::{Effort, Starts};
 use crate::math;
 
-/// The starts of the first batch.
-const FIRST_BATCH: usize = 64;
-/// How often in a row a doubling of the number of starts must find nothing new.
-const STABLE: usize = 2;
-/// The search ends after this many starts in any case.
-const MOST_STARTS: usize = 1 << 13;
+const EFFORT: Effort = Effort {
+    first: 64,
+    stable_doublings: 2,
+    most: 1 << 13,
+};
 /// Configurations are the same if no joint differs by more.
 const SAME: f64 = 1e-6;
 
@@ -32,24 +31,18 @@ impl Mechanism {
         let mut starts = Starts::new(passive.iter().map(|&i| self.range(i)).collect());
         let mut start = vec![0.0; n];
         let mut found: Vec<Vec<f64>> = Vec::new();
-        let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
-        while quiet < STABLE && tried < MOST_STARTS {
-            let known = found.len();
-            for _ in 0..batch {
-                for (&i, value) in passive.iter().zip(starts.next()) {
-                    start[i] = *value;
-                }
-                if let Some(mut q) = self.fk_near(actuated, &start) {
-                    (0..n).for_each(|i| q[i] = self.reduced(i, q[i]));
-                    if !found.iter().any(|other| self.same(other, &q)) {
-                        found.push(q);
-                    }
+        EFFORT.search(|| {
+            for (&i, value) in passive.iter().zip(starts.next()) {
+                start[i] = *value;
+            }
+            if let Some(mut q) = self.fk_near(actuated, &start) {
+                (0..n).for_each(|i| q[i] = self.reduced(i, q[i]));
+                if !found.iter().any(|other| self.same(other, &q)) {
+                    found.push(q);
                 }
             }
-            tried += batch;
-            batch = tried;
-            quiet = if found.len() > known { 0 } else { quiet + 1 };
-        }
+            Some(found.len())
+        });
         found.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
         found
     }

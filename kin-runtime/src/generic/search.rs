@@ -7,7 +7,7 @@ use super::chain::is_prismatic;
 use super::characteristic_length::characteristic_length;
 use super::descent::{Descent, Task};
 use super::given::Given;
-use super::starts::Starts;
+use super::starts::{Effort, Starts};
 use crate::linear::vector::norm;
 use crate::types::projection::Projection;
 use crate::{Chain, Parameter, Pose, Target, Twist, math};
@@ -128,21 +128,17 @@ impl Chain {
         let mut starts = Starts::new(chain.twists().iter().map(range).collect());
         let mut descent = Descent::new(task);
         let mut found: Vec<ChainSolution> = Vec::new();
-        let (mut tried, mut batch, mut quiet) = (0, FIRST_BATCH, 0);
-        'search: while quiet < options.stable_doublings && tried < options.max_starts {
-            let known = found.len();
-            for _ in 0..batch.min(options.max_starts - tried) {
-                if descent.run(starts.next()) {
-                    chain.insert(&mut found, &mut descent, options.same);
-                }
-                if found.len() == options.max_solutions {
-                    break 'search;
-                }
+        let effort = Effort {
+            first: FIRST_BATCH,
+            stable_doublings: options.stable_doublings,
+            most: options.max_starts,
+        };
+        effort.search(|| {
+            if descent.run(starts.next()) {
+                chain.insert(&mut found, &mut descent, options.same);
             }
-            tried += batch;
-            batch = tried;
-            quiet = if found.len() > known { 0 } else { quiet + 1 };
-        }
+            (found.len() < options.max_solutions).then_some(found.len())
+        });
         let whole = |found| given.completed(found);
         in_order(found.into_iter().map(whole).collect())
     }

@@ -40,3 +40,35 @@ impl Starts {
         &self.start
     }
 }
+
+/// How many starts a search takes.
+pub(super) struct Effort {
+    /// Those of the first batch.
+    pub first: usize,
+    /// How often in a row a doubling of their number must find nothing new.
+    pub stable_doublings: u32,
+    /// The search ends after this many in any case.
+    pub most: usize,
+}
+
+impl Effort {
+    /// Takes starts until doubling their number finds nothing new. `start` takes one, and tells how
+    /// many have been found, or none to end the search.
+    pub fn search(&self, mut start: impl FnMut() -> Option<usize>) {
+        let (mut tried, mut batch) = (0, self.first);
+        let (mut quiet, mut known) = (0, 0);
+        while quiet < self.stable_doublings && tried < self.most {
+            let mut found = known;
+            for _ in 0..batch.min(self.most - tried) {
+                let Some(count) = start() else {
+                    return;
+                };
+                found = count;
+            }
+            tried += batch;
+            batch = tried;
+            quiet = if found > known { 0 } else { quiet + 1 };
+            known = found;
+        }
+    }
+}

@@ -91,7 +91,7 @@ macro_rules! define_kinematics {
 
             /// [`Kinematics::TARGET`], in the same way.
             #[doc(hidden)]
-            fn counting(&self) -> Target {
+            fn own_target(&self) -> Target {
                 Self::TARGET
             }
 

@@ -62,7 +62,7 @@ impl<const N: usize> NoSolution<N> {
     ) -> Self {
         let solutions = robot.ik_seeded(target, &nearest.seed);
         Self::among(&solutions, nearest).unwrap_or_else(|| {
-            Self::of_target(robot.counting(), target, || robot.ik_approximate(target))
+            Self::of_target(robot.own_target(), target, || robot.ik_approximate(target))
         })
     }
 

@@ -92,10 +92,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// What of a target counts once the parameters are fixed: the whole pose, where the turn of the
     /// tool is one of them.
     #[doc(hidden)]
-    fn counting_at(&self) -> Target {
+    fn own_target_at(&self) -> Target {
         match self.parameter() == Parameter::Turn || self.held_turn().is_some() {
             true => Target::Pose,
-            false => self.counting(),
+            false => self.own_target(),
         }
     }
 
@@ -137,7 +137,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
         let solutions = self.ik_seeded_at(target, parameter, &nearest.seed);
         solutions.nearest_by(nearest).ok_or_else(|| {
             NoSolution::among(&solutions, nearest).unwrap_or_else(|| match parameter.is_finite() {
-                true => NoSolution::of_target(self.counting_at(), target, || None),
+                true => NoSolution::of_target(self.own_target_at(), target, || None),
                 false => NoSolution::NotFinite,
             })
         })

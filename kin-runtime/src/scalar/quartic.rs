@@ -29,7 +29,7 @@ const SAME: f64 = 2e-7;
 const NOISE: f64 = 1e-7;
 /// An extremum this near to zero, relative to the coefficients, is a double
 /// root.
-const MET: f64 = 1e-14;
+const DOUBLE_ROOT: f64 = 1e-14;
 /// Roots have met only where f is less steep than this: nearer than [`NEAR`] to an extremum it is, since
 /// |f″| is below 8 where no coefficient is above 1, and where Newton's method leads next to a root of
 /// multiplicity three or four.
@@ -301,7 +301,7 @@ fn meeting_nearby(f: &[[f64; 5]; 5], best: (f64, f64)) -> Option<(f64, f64)> {
         let missed = height * value(&f[2], extremum) > 0.0 && height.abs() < MISSED;
         // Newton stays where it is if f″ vanishes; that is no extremum.
         let flat = value(&f[1], extremum).abs() < SAME && apart(extremum, best) < NEAR;
-        (flat && (height.abs() < MET || missed)).then_some(extremum)
+        (flat && (height.abs() < DOUBLE_ROOT || missed)).then_some(extremum)
     })
 }
 
@@ -316,12 +316,13 @@ fn multiple(f: &[[f64; 5]; 5], best: (f64, f64), order: usize) -> Option<(f64, f
     let d = f.map(|f| value(&f, centre).abs());
     let shallow = if order == 4 {
         // d₁ x, d₂ x²/2 where d₄ x⁴/24 reaches the rounding error.
-        d[1] * d[1] * d[1] * d[1] <= MET * MET * MET * d[4] && d[2] * d[2] <= MET * d[4]
+        d[1] * d[1] * d[1] * d[1] <= DOUBLE_ROOT * DOUBLE_ROOT * DOUBLE_ROOT * d[4]
+            && d[2] * d[2] <= DOUBLE_ROOT * d[4]
     } else {
         // The height of the extrema of d₁ x + d₃ x³/6.
-        d[1] * d[1] * d[1] <= MET * MET * d[3]
+        d[1] * d[1] * d[1] <= DOUBLE_ROOT * DOUBLE_ROOT * d[3]
     };
-    let met = apart(centre, best) < WIDE && d[0] < MET && shallow;
+    let met = apart(centre, best) < WIDE && d[0] < DOUBLE_ROOT && shallow;
     met.then_some(centre)
 }
 

@@ -1,6 +1,6 @@
 //! Components of self-motion manifolds.
 
-use super::held::Held;
+use super::fixed_tip::FixedTip;
 use super::options::{SelfMotionError, SelfMotionOptions, Stop};
 use super::trace::{Ending, passes, trace};
 use crate::{Kinematics, Pose};
@@ -68,24 +68,24 @@ pub fn self_motion<K: Kinematics<N>, const N: usize>(
     options: &SelfMotionOptions<N>,
 ) -> Result<SelfMotion<N>, SelfMotionError> {
     let target = robot.fk(q);
-    let held = Held {
+    let arm = FixedTip {
         robot,
         target,
         options,
     };
-    if let Some(joint) = held.beyond(q) {
+    if let Some(joint) = arm.beyond(q) {
         return Err(SelfMotionError::BeyondLimit { joint });
     }
-    let internal = held.internal(q);
+    let internal = arm.internal(q);
     if internal.dimension != 1 {
         return Err(SelfMotionError::Dimension(internal.dimension));
     }
     let tangent = internal.tangent;
-    let (forward, ending) = trace(&held, q, &tangent);
+    let (forward, ending) = trace(&arm, q, &tangent);
     let (path, stops) = match ending {
         Ending::Closed => (core::iter::once(*q).chain(forward).collect(), None),
         Ending::Stopped(last) => {
-            let (mut path, ending) = trace(&held, q, &tangent.map(|x| -x));
+            let (mut path, ending) = trace(&arm, q, &tangent.map(|x| -x));
             path.reverse();
             path.push(*q);
             path.extend(forward);
@@ -115,14 +115,14 @@ impl<const N: usize> SelfMotion<N> {
     /// is on this component, so that the arm can go there with the tip at
     /// rest. `robot` is the one whose motion this is.
     pub fn contains<K: Kinematics<N>>(&self, robot: &K, q: &[f64; N]) -> bool {
-        let held = Held {
+        let arm = FixedTip {
             robot,
             target: self.target,
             options: &self.options,
         };
         self.path
             .windows(2)
-            .any(|ends| passes(&held, &ends[0], &ends[1], q).is_some())
+            .any(|ends| passes(&arm, &ends[0], &ends[1], q).is_some())
     }
 }
 

@@ -7,7 +7,7 @@
 //! followed here by prediction along the internal motion and correction back.
 
 mod component;
-mod held;
+mod fixed_tip;
 mod options;
 mod trace;
 

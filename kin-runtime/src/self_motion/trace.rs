@@ -1,6 +1,6 @@
 //! Along the curve, in one direction.
 
-use super::held::Held;
+use super::fixed_tip::FixedTip;
 use super::options::Stop;
 use crate::Kinematics;
 use crate::continuation::{Cut, along};
@@ -28,7 +28,7 @@ pub(super) enum Ending {
 
 /// Follows the curve from `start`; the path begins behind it.
 pub(super) fn trace<K: Kinematics<N>, const N: usize>(
-    held: &Held<K, N>,
+    arm: &FixedTip<K, N>,
     start: &[f64; N],
     direction: &[f64; N],
 ) -> (Vec<[f64; N]>, Ending) {
@@ -36,21 +36,21 @@ pub(super) fn trace<K: Kinematics<N>, const N: usize>(
     let mut here = Place {
         q: *start,
         tangent: *direction,
-        reach: held.internal(start).reach,
+        reach: arm.internal(start).reach,
     };
-    let mut step = held.options.step;
-    while path.len() < held.options.most_steps {
-        let Some(next) = advance(held, &here, &mut step) else {
+    let mut step = arm.options.step;
+    while path.len() < arm.options.most_steps {
+        let Some(next) = advance(arm, &here, &mut step) else {
             return (path, Ending::Stopped(Stop::Singular));
         };
-        if let Some(joint) = held.beyond(&next.q) {
-            let (stop, at) = stop(held, &here.q, &next.q, joint);
+        if let Some(joint) = arm.beyond(&next.q) {
+            let (stop, at) = stop(arm, &here.q, &next.q, joint);
             path.extend(at);
             return (path, Ending::Stopped(stop));
         }
         let arrives = dot(next.tangent, *direction) > 0.0 && !path.is_empty();
         if let Some(end) = arrives
-            .then(|| passes(held, &here.q, &next.q, start))
+            .then(|| passes(arm, &here.q, &next.q, start))
             .flatten()
         {
             path.push(end);
@@ -67,31 +67,31 @@ struct Place<const N: usize> {
     q: [f64; N],
     /// Where the trace goes.
     tangent: [f64; N],
-    /// As [`Internal::reach`](super::held::Internal::reach).
+    /// As [`Internal::reach`](super::fixed_tip::Internal::reach).
     reach: f64,
 }
 
 /// One step; `step` is shortened until the curve bends little, and lengthened
 /// again where it hardly does. None at a crossing.
 fn advance<K: Kinematics<N>, const N: usize>(
-    held: &Held<K, N>,
+    arm: &FixedTip<K, N>,
     here: &Place<N>,
     step: &mut f64,
 ) -> Option<Place<N>> {
     *step = step.min(CAUTION * here.reach);
-    while *step > SHORTEST * held.options.step {
+    while *step > SHORTEST * arm.options.step {
         let point = along(&here.q, &here.tangent, *step);
         let cut = Cut {
             normal: here.tangent,
             point,
         };
-        if let Some(q) = held.meet(&cut, point) {
+        if let Some(q) = arm.meet(&cut, point) {
             let correction = norm(along(&q, &point, -1.0)) / *step;
-            let internal = held.internal(&q);
+            let internal = arm.internal(&q);
             let cosine = dot(internal.tangent, here.tangent);
             let bends_little = cosine.abs() > BEND && correction < CORRECTION;
             if internal.dimension == 1 && bends_little {
-                *step = (1.5 * *step).min(held.options.step);
+                *step = (1.5 * *step).min(arm.options.step);
                 return Some(Place {
                     q,
                     tangent: internal.tangent.map(|x| if cosine < 0.0 { -x } else { x }),
@@ -107,7 +107,7 @@ fn advance<K: Kinematics<N>, const N: usize>(
 /// Whether the curve goes through a posture between two of its points; if so,
 /// that posture with the turns that its angles have there.
 pub(super) fn passes<K: Kinematics<N>, const N: usize>(
-    held: &Held<K, N>,
+    arm: &FixedTip<K, N>,
     from: &[f64; N],
     to: &[f64; N],
     posture: &[f64; N],
@@ -115,7 +115,7 @@ pub(super) fn passes<K: Kinematics<N>, const N: usize>(
     /// How exactly, radians and metres.
     const SAME: f64 = 1e-7;
     let chord = along(to, from, -1.0);
-    let way = held.way(from, posture);
+    let way = arm.way(from, posture);
     let chord_length = norm(chord);
     let share = dot(way, chord) / (chord_length * chord_length);
     let aside = norm(along(&way, &chord, -share)) / chord_length;
@@ -128,18 +128,18 @@ pub(super) fn passes<K: Kinematics<N>, const N: usize>(
         normal: chord.map(|x| x / chord_length),
         point: here,
     };
-    let met = held.meet(&cut, along(from, &chord, share))?;
+    let met = arm.meet(&cut, along(from, &chord, share))?;
     (norm(along(&met, &here, -1.0)) <= SAME).then_some(here)
 }
 
 /// Where the first joint comes to a limit on the way from `from` to `to`.
 fn stop<K: Kinematics<N>, const N: usize>(
-    held: &Held<K, N>,
+    arm: &FixedTip<K, N>,
     from: &[f64; N],
     to: &[f64; N],
     joint: usize,
 ) -> (Stop, Option<[f64; N]>) {
-    let Some(limits) = held.options.limits else {
+    let Some(limits) = arm.options.limits else {
         return (Stop::Limit { joint }, None);
     };
     let (mut end, mut joint) = (*to, joint);
@@ -150,11 +150,11 @@ fn stop<K: Kinematics<N>, const N: usize>(
             .min(limits[joint].upper());
         let share = (bound - from[joint]) / (end[joint] - from[joint]);
         let guess = along(from, &along(&end, from, -1.0), share);
-        let Some(met) = held.meet(&Cut::at(joint, bound), guess) else {
+        let Some(met) = arm.meet(&Cut::at(joint, bound), guess) else {
             break;
         };
         end = met;
-        match held.beyond(&end) {
+        match arm.beyond(&end) {
             Some(other) => joint = other,
             None => return (Stop::Limit { joint }, Some(end)),
         }

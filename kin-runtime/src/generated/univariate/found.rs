@@ -3,14 +3,11 @@
 use super::frames::{within, wrapped};
 use super::polish::Polished;
 use super::{LANES, Univariate};
-use crate::scalar::tolerance::SAME;
+use crate::scalar::tolerance::{SAME, SINGULAR};
 use crate::{Solution, Solutions, math};
 
 /// Solutions reach the target to this, in units of the arm's size.
 const REACHED: f64 = 1e-13;
-
-/// Below this independence of the Jacobian's columns a configuration is singular.
-const SINGULAR: f64 = 1e-5;
 
 /// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
 /// or members of a family.
@@ -107,8 +104,8 @@ impl Found {
     }
 
     /// Whether the solution next to a configuration is known: a regular one, with no other
-    /// beside it, where it is `meeting` from singular or more.
-    pub fn knows(&mut self, q: &[f64; 6], meeting: f64) -> bool {
+    /// beside it, where it is `meeting` from singular or more. It is marked as found again.
+    pub fn mark_if_known(&mut self, q: &[f64; 6], meeting: f64) -> bool {
         let prismatic = self.regular.prismatic();
         let beside = |known: &Solution<6>| within(BESIDE, prismatic, &known.q, q);
         let mut known = self.regular.iter().zip(&self.independence);

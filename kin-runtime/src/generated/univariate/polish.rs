@@ -3,11 +3,9 @@
 use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, dot, in_lanes};
 use crate::Pose;
+use crate::scalar::tolerance::ROUNDING;
 
 type Rows<L> = [L; 6];
-
-/// Relative to the arm's size, a residual below this is rounding.
-const ROUNDING: f64 = 1e-14;
 
 /// From so many steps on, a configuration that does not come nearer by this factor in a
 /// step is not waited for: at a double root Newton's method gains a factor of 4.

@@ -10,6 +10,7 @@ use super::roots::{CLUSTER, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
 use super::{LANES, Outcome, Univariate};
 use crate::linear::vector::norm;
+use crate::scalar::tolerance::ROTATION;
 use crate::{Pose, Solution, Solutions, Target, math};
 use core::f64::consts::TAU;
 
@@ -22,9 +23,6 @@ const MIXED: f64 = 0.5;
 
 /// Where they are off by less, a null vector is of one solution, and no mixture.
 const PURE: f64 = 1e-3;
-
-/// The rotation of a target may be off an orthonormal one by this.
-const ORTHONORMAL: f64 = 1e-9;
 
 /// In units of half the arm's size, a target that is farther away than the arm is long by no more may be
 /// one that is reached.
@@ -106,7 +104,7 @@ impl<'a> Search<'a> {
         Self {
             arm,
             target,
-            may_be_reached: gap <= ORTHONORMAL && !is_too_far,
+            may_be_reached: gap <= ROTATION && !is_too_far,
             found: Found::new(arm, gap),
             branch: 0,
             starts: Waiting::default(),
@@ -185,8 +183,6 @@ impl<'a> Search<'a> {
         if !clear {
             self.keep(seed);
             self.branch += 1;
-        }
-        if !clear {
             self.ask_in_turn();
         }
         Answer {
@@ -253,7 +249,7 @@ impl<'a> Search<'a> {
                 self.ask_beside(elimination);
             }
             self.meet();
-            self.settle(elimination, &mut unclear);
+            self.drop_complete(elimination, &mut unclear);
         }
         outcome.certain = may_be_certain && self.has_all(&unclear);
         outcome
@@ -330,7 +326,7 @@ impl<'a> Search<'a> {
                 let before = self.found.again;
                 let off = starts.inconsistency[k];
                 let one = !roots.is_double(candidate) && !roots.is_several(candidate);
-                let known = self.knows(&starts.q, k);
+                let known = self.mark_if_known(&starts.q, k);
                 // Next to another one a root is known to half of its digits.
                 let mixed = off >= EXTRANEOUS && roots.has_neighbour(candidate);
                 if known && (self.found.again == before || off > PURE) || !one || mixed {
@@ -368,13 +364,13 @@ impl<'a> Search<'a> {
     /// of solutions, so is what it leaves alone, and the space of two solutions has more dimensions.
     fn several_each(&mut self, recovery: &Recovery, is_noisy: bool, unclear: &mut Candidates) {
         let elimination = recovery.elimination;
-        self.settle(elimination, unclear);
+        self.drop_complete(elimination, unclear);
         let may_be_more = |it: &Candidate| it.is_several && it.zeros.is_some_and(|it| it.count > 2);
         self.share::<2>(recovery, unclear, |it| !may_be_more(it), EXTRANEOUS);
         self.share::<SHARING>(recovery, unclear, |it| is_noisy || it.is_several, MIXED);
         self.share::<2>(recovery, unclear, may_be_more, EXTRANEOUS);
         self.share_exactly(recovery, unclear);
-        self.settle(elimination, unclear);
+        self.drop_complete(elimination, unclear);
     }
 
     /// Adds the solutions of N that share a value of the kept joint.
@@ -400,16 +396,17 @@ impl<'a> Search<'a> {
             }
         }
         self.arrive();
-        self.settle(recovery.elimination, unclear);
+        self.drop_complete(recovery.elimination, unclear);
     }
 
     /// Leaves the candidates that other solutions than those that are known may be near.
-    fn settle(&mut self, elimination: &Elimination, unclear: &mut Candidates) {
-        unclear.retain(|candidate| !self.is_settled(elimination, candidate));
+    fn drop_complete(&mut self, elimination: &Elimination, unclear: &mut Candidates) {
+        unclear.retain(|candidate| !self.mark_if_complete(elimination, candidate));
     }
 
     /// Whether near a candidate as many solutions are known as there are zeros: no two have one.
-    fn is_settled(&mut self, elimination: &Elimination, candidate: &Candidate) -> bool {
+    /// These are marked as found again.
+    fn mark_if_complete(&mut self, elimination: &Elimination, candidate: &Candidate) -> bool {
         let Some(zeros) = candidate.zeros else {
             return false;
         };
@@ -420,11 +417,11 @@ impl<'a> Search<'a> {
                 places |= 1 << place;
             }
         }
-        let is_settled = count == zeros.count;
-        if is_settled {
+        let is_complete = count == zeros.count;
+        if is_complete {
             self.found.again |= places;
         }
-        is_settled
+        is_complete
     }
 
     /// A root of several is known to a quarter of its digits, and what is nearly taken to zero there
@@ -528,14 +525,14 @@ impl<'a> Search<'a> {
 
     /// The same, if it may be near a solution that is not known: if it is off by no more.
     fn start_of(&mut self, starts: &Starts, lane: usize, off: f64) {
-        if starts.inconsistency[lane] < off && !self.knows(&starts.q, lane) {
+        if starts.inconsistency[lane] < off && !self.mark_if_known(&starts.q, lane) {
             self.start(&starts.q, lane);
         }
     }
 
     /// Whether the solution next to the configuration in a lane is known.
-    fn knows(&mut self, q: &[[f64; LANES]; 6], lane: usize) -> bool {
-        self.found.knows(&q.map(|q| q[lane]), self.meeting)
+    fn mark_if_known(&mut self, q: &[[f64; LANES]; 6], lane: usize) -> bool {
+        self.found.mark_if_known(&q.map(|q| q[lane]), self.meeting)
     }
 
     /// Starts Newton's method from the configurations that wait.

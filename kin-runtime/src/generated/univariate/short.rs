@@ -7,14 +7,12 @@ use super::Univariate;
 use super::closest::Task;
 use super::found::Answer;
 use crate::generated::refinement::{Problem, levenberg};
+use crate::scalar::tolerance::SOLVED;
 use crate::{Jacobian, Pose, Solution, Solutions, Target, math};
 
 /// Where six joints are nearly singular, a target that is off by rounding is reached with
 /// the joints behind the tip this far from zero, radians.
 const ZERO: f64 = 1e-2;
-
-/// Solutions reach the target to this, in units of the arm's size.
-const REACHED: f64 = 1e-9;
 
 /// Evaluations at most; a regular solution takes two.
 const STEPS: usize = 24;
@@ -74,7 +72,7 @@ fn arrived<const N: usize>(
         true => arrived.q[i],
         false => math::wrap(arrived.q[i]),
     });
-    (arrived.residual <= REACHED * arm.size).then(|| Solution {
+    (arrived.residual <= SOLVED * arm.size).then(|| Solution {
         singular: arrived.singular,
         ..with(from, q, arrived.residual)
     })

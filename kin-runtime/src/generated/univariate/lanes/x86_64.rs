@@ -1,9 +1,9 @@
 //! Vectors of SSE2, AVX, AVX2 and AVX-512; the last two with fused multiplications and
 //! additions.
 //!
-//! All `unsafe` is of one kind: the wider types are used where
-//! [`dispatch`](crate::generated::dispatch) has seen that the processor has the
-//! instructions.
+//! All `unsafe` is of two kinds: arrays of numbers are taken for vectors and back, which have the same
+//! size and bits; and the wider types are used where [`dispatch`](crate::generated::dispatch) has seen
+//! that the processor has the instructions.
 
 use super::{LANES, Lanes};
 use core::arch::x86_64::*;

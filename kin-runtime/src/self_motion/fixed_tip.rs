@@ -5,7 +5,7 @@ use crate::continuation::{Cut, Equations, meet};
 use crate::linear::vector::{add, cross, dot, scale};
 use crate::{JointLimit, Kinematics, Pose, RANK_TOLERANCE, math};
 
-pub(super) struct Held<'a, K, const N: usize> {
+pub(super) struct FixedTip<'a, K, const N: usize> {
     pub robot: &'a K,
     pub target: Pose,
     pub options: &'a SelfMotionOptions<N>,
@@ -23,7 +23,7 @@ pub(super) struct Internal<const N: usize> {
     pub reach: f64,
 }
 
-impl<K: Kinematics<N>, const N: usize> Held<'_, K, N> {
+impl<K: Kinematics<N>, const N: usize> FixedTip<'_, K, N> {
     fn equations(&self, q: &[f64; N]) -> Equations<N, 6> {
         let (pose, spatial) = self.robot.fk_jacobian(q);
         let counts = self.options.target;
