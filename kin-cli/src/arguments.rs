@@ -59,7 +59,8 @@ pub struct Generate {
     /// ::kinematics]
     #[arg(long = "crate", value_name = "PATH")]
     pub krate: Option<String>,
-    /// Where to write [default: standard output]; the folder of the files, if it is C
+    /// Where to write [default: standard output]; of C the folder of the two files, which has to be
+    /// given
     #[arg(short, long, required_if_eq("lang", "c"))]
     pub output: Option<PathBuf>,
     /// Write nothing; fail if the output is not what would be written

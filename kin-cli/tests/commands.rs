@@ -129,7 +129,7 @@ fn c_is_written_as_two_files() {
     assert_eq!(kin(&check).status.code(), Some(0));
     let code = std::fs::read_to_string(&header).unwrap();
     assert!(
-        code.contains("by: kin generate scara.yaml --lang c\n"),
+        code.contains("by: kin generate scara.yaml --lang c -o .\n"),
         "{code}"
     );
     assert!(

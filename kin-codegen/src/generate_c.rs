@@ -74,7 +74,7 @@ impl GeneratedC {
     pub fn of(robot: Compiled, name: String, source: &Source, options: &Options) -> Self {
         let warnings = robot.warnings().to_vec();
         let hash = fnv1a(source.text.as_bytes());
-        let header = header::of(&robot, &name, hash, options, Some(" --lang c"));
+        let header = header::of(&robot, &name, hash, options, Some(" --lang c -o ."));
         let Files { header, source } = match &robot {
             Compiled::Arm(arm) => c::arm(arm, &name, &header),
             Compiled::Mechanism(mechanism) => c::mechanism(mechanism, &name, &header),

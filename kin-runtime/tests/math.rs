@@ -171,8 +171,15 @@ fn atan2_is_accurate_in_every_sector() {
         let error = reference_atan2(y, x).minus(atan2(y, x)) / atan2(y, x);
         worst = worst.max(error.abs());
     }
+    // Where rounding is worst: next to the ends of the first piece, and where the unit in the last place
+    // of the angle is largest beside it.
+    for _ in 0..200_000 {
+        let (ratio, x) = (0.12 + 0.14 * next(), 0.25 + next());
+        let error = reference_atan2(ratio * x, x).minus(atan2(ratio * x, x)) / atan2(ratio * x, x);
+        worst = worst.max(error.abs());
+    }
     println!("atan2: {worst:e}");
-    assert!(worst < 2.5e-16, "{worst:e}");
+    assert!(worst < 3.3e-16, "{worst:e}");
 }
 
 #[test]
@@ -182,7 +189,7 @@ fn atan2_is_accurate_where_its_pieces_meet() {
             let y = ratio * (1.0 + f64::from(steps) * f64::EPSILON * 8.0);
             for (y, x) in [(y, 1.0), (1.0, y), (-y, 1.0), (1.0, -y), (y, -1.0)] {
                 let error = reference_atan2(y, x).minus(atan2(y, x)) / atan2(y, x);
-                assert!(error.abs() < 2.5e-16, "{error:e} at {y}, {x}");
+                assert!(error.abs() < 3.3e-16, "{error:e} at {y}, {x}");
             }
         }
     }

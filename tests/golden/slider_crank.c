@@ -7,15 +7,19 @@
  * Forward kinematics: closed form: the passive joints around the loop are a serial chain
  * between ends that the actuated ones place, solved by SP1(q1+q2) SP4(q1) sum(q2)
  * slide(q3).
- * Made again, beside the robot file, by: kin generate slider_crank.yaml --lang c
+ * Made again, beside the robot file, by: kin generate slider_crank.yaml --lang c -o .
  */
 
 #include "slider_crank.h"
 
 #include <math.h>
 
-#ifdef __FAST_MATH__
-#error "compile without -ffast-math: rounding and what is not a number have a meaning here"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) \
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "compile without -ffast-math and its parts: rounding and what is not a number have a meaning here"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
+#error "compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places"
 #endif
 
 #if defined(__GNUC__) && !defined(__cplusplus)
@@ -161,7 +165,7 @@ SLIDER_CRANK_INLINE double slider_crank_wrap(double x)
     return r <= -pi ? pi : r;
 }
 
-/* The angle of the vector (x, y) in [-pi, pi] radians, within 2.5e-16 relative. */
+/* The angle of the vector (x, y) in [-pi, pi] radians, within 3.3e-16 relative. */
 SLIDER_CRANK_INLINE double slider_crank_atan2(double y, double x)
 {
     const double smallest = 4.9406564584124654e-324;
@@ -1073,6 +1077,8 @@ static int slider_crank_chain0_choose(
             excess = slider_crank_max(excess, beyond);
             moved.q[i] = slider_crank_at_most_at_a_stop(lower, upper, value);
         }
+        /* What is too much for a number is still a motion. */
+        motion = -slider_crank_max(-motion, -1.7976931348623157e308);
         if (excess <= 1e-9 && motion < least) {
             least = motion;
             *chosen = moved;
@@ -1489,6 +1495,8 @@ static int slider_crank_chain1_choose(
             excess = slider_crank_max(excess, beyond);
             moved.q[i] = slider_crank_at_most_at_a_stop(lower, upper, value);
         }
+        /* What is too much for a number is still a motion. */
+        motion = -slider_crank_max(-motion, -1.7976931348623157e308);
         if (excess <= 1e-9 && motion < least) {
             least = motion;
             *chosen = moved;

@@ -7,7 +7,7 @@
  * Forward kinematics: closed form: the passive joints around the loop are a serial chain
  * between ends that the actuated ones place, solved by SP1(q1+q2) SP4(q1) sum(q2)
  * slide(q3).
- * Made again, beside the robot file, by: kin generate slider_crank.yaml --lang c
+ * Made again, beside the robot file, by: kin generate slider_crank.yaml --lang c -o .
  */
 
 #ifndef SLIDER_CRANK_H
@@ -21,9 +21,9 @@
  * rows of the homogeneous matrix. Matrices are written row by row; rates of lengths are in metres
  * per radian of joints that turn. Every chain is an arm with functions of its own, below. Arrays
  * are the caller's and do not overlap. Nothing is allocated, no function has a state, all may be
- * called from several threads. Compile without -ffast-math, and with -O2 (GCC 12, Clang) or -O3 so
- * that loops over branches become vector instructions; on x86-64 those of AVX2 are taken where the
- * processor has them. */
+ * called from several threads. Compile without -ffast-math and its parts, and with -O2 (GCC 12,
+ * Clang) or -O3 so that loops over branches become vector instructions; on x86-64 those of AVX2 are
+ * taken where the processor has them. */
 
 #ifdef __cplusplus
 extern "C" {
@@ -216,7 +216,8 @@ typedef struct slider_crank_chain0_solution {
 } slider_crank_chain0_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts, or a parameter, is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite; beyond 1e15 no digit of an angle
+ * is left. */
 #define SLIDER_CRANK_CHAIN0_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define SLIDER_CRANK_CHAIN0_NOT_A_ROTATION (-2)
@@ -314,7 +315,8 @@ typedef struct slider_crank_chain1_solution {
 } slider_crank_chain1_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts, or a parameter, is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite; beyond 1e15 no digit of an angle
+ * is left. */
 #define SLIDER_CRANK_CHAIN1_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define SLIDER_CRANK_CHAIN1_NOT_A_ROTATION (-2)

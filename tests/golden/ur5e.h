@@ -7,7 +7,7 @@
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
  * one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
  * cosines, 6 arctangents, 34 selections.
- * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c
+ * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c -o .
  */
 
 #ifndef UR5E_H
@@ -52,7 +52,7 @@
  * matrix. Jacobians are 6 rows by UR5E_JOINTS columns, row by row: three rows of linear and
  * three of angular velocity, in metres and without unit per radian, or per metre of joints that
  * slide. Arrays are the caller's and do not overlap. Nothing is allocated, no function has a
- * state, all may be called from several threads. Compile without -ffast-math, and
+ * state, all may be called from several threads. Compile without -ffast-math and its parts, and
  * with -O2 (GCC 12, Clang) or -O3 so that loops over branches become vector instructions; on
  * x86-64 those of AVX2 are taken where the processor has them. */
 
@@ -125,7 +125,8 @@ typedef struct ur5e_solution {
 } ur5e_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts, or a parameter, is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite; beyond 1e15 no digit of an angle
+ * is left. */
 #define UR5E_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define UR5E_NOT_A_ROTATION (-2)

@@ -61,7 +61,7 @@ const $wrap = (x) => {
     return at_most <= -Math.PI ? Math.PI : at_most;
 };
 
-/* The angle of the vector (x, y) in [-pi, pi] radians, within 2.5e-16 relative. */
+/* The angle of the vector (x, y) in [-pi, pi] radians, within 3.3e-16 relative. */
 const $atan2 = (y, x) => {
     const ax = Math.abs(x);
     const ay = Math.abs(y);
@@ -337,6 +337,8 @@ const $nearest = (arm, solutions, seed) => {
             excess = $max(excess, beyond);
             return $at_most_at_a_stop(arm.joints[i], value);
         });
+        /* What is too much for a number is still a motion. */
+        motion = -$max(-motion, -Number.MAX_VALUE);
         if (excess <= 1e-9 && motion < least) {
             least = motion;
             chosen = { ...solution, q };
@@ -715,8 +717,20 @@ const $arm = (arm) => {
         return { q: found.q, residual: found.residual };
     };
     if (form) {
+        /* The parameters beside a target as an array: of one its value will do. */
+        const given = (parameters) => {
+            const values = typeof parameters === "number" ? [parameters] : parameters;
+            const { length } = form.parameters;
+            if (!values || values.length !== length) {
+                const names = form.parameters.map(({ name }) => name).join(", ");
+                throw new TypeError(`a target takes ${length} parameters here: ${names}`);
+            }
+            return values;
+        };
+        /* Beyond, no digit of an angle is left. */
+        const are_finite = (parameters) => parameters.every((x) => Math.abs(x) <= 1e15);
         const solve = (pose, parameters, seed) => {
-            if (!parameters.every(Number.isFinite)) {
+            if (!are_finite(parameters)) {
                 return [];
             }
             const turn = form.turns_tool ? parameters[parameters.length - 1] : 0.0;
@@ -725,9 +739,9 @@ const $arm = (arm) => {
         };
         /* Of a polynomial all roots are found without a seed. */
         const zeros = form.lanes ? form.solved.map(() => 0.0) : null;
-        arm.ik_at = (pose, parameters) => solve(pose, parameters, zeros);
+        arm.ik_at = (pose, parameters) => solve(pose, given(parameters), zeros);
         arm.ik_seeded_at = (pose, parameters, seed) => {
-            return solve(pose, parameters, form.solved.map((joint) => seed[joint]));
+            return solve(pose, given(parameters), form.solved.map((joint) => seed[joint]));
         };
         arm.ik_nearest_at = (pose, parameters, seed) => {
             return $nearest(arm, arm.ik_seeded_at(pose, parameters, seed), seed);
@@ -742,8 +756,9 @@ const $arm = (arm) => {
             }
             return parameters;
         };
-        arm.why_none = (pose, parameters = []) => {
-            return parameters.every(Number.isFinite) ? $why_none(form, pose) : "not finite";
+        arm.why_none = (pose, parameters) => {
+            const are_numbers = parameters === undefined || are_finite(given(parameters));
+            return are_numbers ? $why_none(form, pose) : "not finite";
         };
     }
     if (form && form.parameters.length === 0) {

@@ -127,3 +127,34 @@ export function gap_of(mechanism, input) {
 export function ask_of(asked) {
     return asked.ask().join(" ");
 }
+
+// Of joint values: how many solutions the target that they make has.
+export function count_of(robot, input) {
+    const { numbers } = reader(input);
+    return String(robot.ik(robot.fk(numbers(robot.joints.length))).length);
+}
+
+// What is answered where parameters are not as they should be: a line each.
+export function with_parameters(robot, input) {
+    const { numbers } = reader(input);
+    const q = numbers(robot.joints.length);
+    const pose = robot.fk(q);
+    const [own] = robot.redundancy(pose, q);
+    const said = (ask) => {
+        try {
+            return String(ask());
+        } catch (error) {
+            return String(error);
+        }
+    };
+    const far = q.map((x, i) => (i === 0 ? 1e160 : x));
+    return [
+        said(() => robot.ik_at(pose, own).length === robot.ik_at(pose, [own]).length),
+        said(() => robot.ik_at(pose, [])),
+        said(() => robot.ik_at(pose)),
+        said(() => robot.why_none(pose, [own, own])),
+        said(() => robot.ik_at(pose, [1e16]).length),
+        said(() => robot.why_none(pose, [1e16])),
+        said(() => robot.ik_nearest_at(pose, own, far) !== null),
+    ].join("\n");
+}

@@ -10,6 +10,7 @@ mod js;
 mod mechanisms;
 mod meeting;
 mod mistakes;
+mod misuse;
 mod moveit;
 #[path = "../../kin-codegen/tests/named/mod.rs"]
 mod named;

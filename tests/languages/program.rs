@@ -53,7 +53,7 @@ pub enum Compiler {
 }
 
 impl Compiler {
-    fn command(self) -> Command {
+    pub fn command(self) -> Command {
         let (program, standard) = match self {
             Compiler::C => ("cc", &["-x", "c", "-std=c99"]),
             Compiler::Cpp => ("c++", &["-x", "c++", "-std=c++11"]),

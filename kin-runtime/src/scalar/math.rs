@@ -125,7 +125,7 @@ pub fn mul_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
 
 /// The angle of the vector (x, y) in [−π, π] radians, as `f64::atan2(y, x)`.
 ///
-/// Within 2.5e-16 relative where the larger magnitude is in 1e-290..8e307, and
+/// Within 3.3e-16 relative where the larger magnitude is in 1e-290..8e307, and
 /// coarser but sound below; multiples of π/4 are exact. The sign is that of `y`;
 /// `atan2(±0, x)` is ±0 for x ≥ 0 (also for x = −0, where the standard library
 /// says ±π) and ±π for x < 0. In particular `atan2(0, 0)` is 0. Infinities and

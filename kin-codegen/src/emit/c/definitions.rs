@@ -10,8 +10,12 @@ use crate::spec::Rating;
 
 /// What stands in front of all functions.
 const PREAMBLE: &str = "\
-#ifdef __FAST_MATH__
-#error \"compile without -ffast-math: rounding and what is not a number have a meaning here\"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) \\
+    || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error \"compile without -ffast-math and its parts: rounding and what is not a number have a meaning here\"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ < 0 || __FLT_EVAL_METHOD__ == 2)
+#error \"compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places\"
 #endif
 
 #if defined(__GNUC__) && !defined(__cplusplus)

@@ -362,7 +362,7 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
     format!(
         "static int kin_solve_at({at}const double *seed, {solutions}{turned}    \
          for (int i = 0; i < KIN_PARAMETERS; ++i) {{\n        \
-         if (!(fabs(parameters[i]) <= 1.7976931348623157e308)) {{\n            return KIN_NOT_FINITE;\n        }}\n    }}\n    \
+         if (!(fabs(parameters[i]) <= 1e15)) {{\n            return KIN_NOT_FINITE;\n        }}\n    }}\n    \
          return kin_solve({target}, seed, parameters, solutions);\n}}\n\n\
          int kin_ik_at({at}{solutions}{seeds}    \
          return kin_solve_at(pose, parameters, {seed}, solutions);\n}}\n\n\

@@ -3,12 +3,15 @@
 use crate::options::Options;
 use crate::spec::{Diagnostic, stem};
 
-/// Headers of C and C++ that a robot's would stand in for where its folder is searched first.
-const HEADERS: [&str; 30] = [
+/// Headers of C and C++, and those of the GNU C library that they ask for, that a robot's would stand
+/// in for where its folder is searched first.
+const HEADERS: [&str; 32] = [
     "assert",
     "complex",
     "ctype",
+    "endian",
     "errno",
+    "features",
     "fenv",
     "float",
     "inttypes",
@@ -48,7 +51,7 @@ pub fn prefix(options: &Options, path: &str) -> Result<String, Diagnostic> {
         () if !is_identifier(name) => {
             format!("`{name}` cannot begin the names of a C library")
         }
-        () if HEADERS.contains(&name.as_str()) => format!("`{name}.h` is a header of C"),
+        () if is_header(name) => format!("`{name}.h` is a header of C"),
         () => return Ok(name.clone()),
     };
     let remedy = format!(
@@ -57,6 +60,11 @@ pub fn prefix(options: &Options, path: &str) -> Result<String, Diagnostic> {
         snake_case(name)
     );
     Err(Diagnostic::whole(reason, remedy))
+}
+
+/// Whether a file of this name is a header, on a disk that does not tell letters by case either.
+fn is_header(name: &str) -> bool {
+    HEADERS.contains(&name.to_ascii_lowercase().as_str())
 }
 
 /// Whether a name can begin identifiers, none of which C or C++ reserve.
@@ -75,7 +83,7 @@ fn snake_case(stem: &str) -> String {
         .filter(|word| !word.is_empty());
     let name = words.collect::<Vec<_>>().join("_").to_ascii_lowercase();
     match name.starts_with(|c: char| c.is_ascii_alphabetic()) {
-        true if HEADERS.contains(&name.as_str()) => format!("robot_{name}"),
+        true if is_header(&name) => format!("robot_{name}"),
         true => name,
         false if name.is_empty() => "robot".into(),
         false => format!("robot{name}"),
@@ -123,6 +131,7 @@ mod tests {
         assert_eq!(name("robots/KR6-R900.yaml"), "kr6_r900");
         assert_eq!(name("int.urdf"), "int");
         assert_eq!(name("math.urdf"), "robot_math");
+        assert_eq!(name("Features.urdf"), "robot_features");
         assert_eq!(name("3r.yaml"), "robot3r");
         assert_eq!(name("__x__.yaml"), "x");
         assert_eq!(name("机械臂.urdf"), "robot");
@@ -162,5 +171,6 @@ mod tests {
             assert_eq!(asked(name).unwrap_err(), reason);
         }
         assert_eq!(asked("math").unwrap_err(), "`math.h` is a header of C");
+        assert_eq!(asked("Math").unwrap_err(), "`Math.h` is a header of C");
     }
 }

@@ -1,4 +1,4 @@
-/* The angle of the vector (x, y) in [-pi, pi] radians, within 2.5e-16 relative. */
+/* The angle of the vector (x, y) in [-pi, pi] radians, within 3.3e-16 relative. */
 KIN_INLINE double kin_atan2(double y, double x)
 {
     const double smallest = 4.9406564584124654e-324;

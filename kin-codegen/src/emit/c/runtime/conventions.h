@@ -4,6 +4,6 @@
  * matrix. Jacobians are 6 rows by KIN_JOINTS columns, row by row: three rows of linear and
  * three of angular velocity, in metres and without unit per radian, or per metre of joints that
  * slide. Arrays are the caller's and do not overlap. Nothing is allocated, no function has a
- * state, all may be called from several threads. Compile without -ffast-math, and
+ * state, all may be called from several threads. Compile without -ffast-math and its parts, and
  * with -O2 (GCC 12, Clang) or -O3 so that loops over branches become vector instructions; on
  * x86-64 those of AVX2 are taken where the processor has them. */

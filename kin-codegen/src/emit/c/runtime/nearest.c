@@ -18,6 +18,8 @@ static int kin_choose(
             excess = kin_max(excess, beyond);
             moved.q[i] = kin_at_most_at_a_stop(lower, upper, value);
         }
+        /* What is too much for a number is still a motion. */
+        motion = -kin_max(-motion, -1.7976931348623157e308);
         if (excess <= 1e-9 && motion < least) {
             least = motion;
             *chosen = moved;

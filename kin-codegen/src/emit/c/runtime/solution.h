@@ -15,7 +15,8 @@ typedef struct kin_solution {
 } kin_solution;
 
 /* What a function returns that has found no solution, besides 0: the target is out of reach. */
-/* An entry of the target that counts, or a parameter, is not finite. */
+/* An entry of the target that counts, or a parameter, is not finite; beyond 1e15 no digit of an angle
+ * is left. */
 #define KIN_NOT_FINITE (-1)
 /* The rotation of the target is none, to within the tolerance of solutions. */
 #define KIN_NOT_A_ROTATION (-2)

@@ -44,6 +44,8 @@ const $nearest = (arm, solutions, seed) => {
             excess = $max(excess, beyond);
             return $at_most_at_a_stop(arm.joints[i], value);
         });
+        /* What is too much for a number is still a motion. */
+        motion = -$max(-motion, -Number.MAX_VALUE);
         if (excess <= 1e-9 && motion < least) {
             least = motion;
             chosen = { ...solution, q };

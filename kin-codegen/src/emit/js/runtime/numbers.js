@@ -46,7 +46,7 @@ const $wrap = (x) => {
     return at_most <= -Math.PI ? Math.PI : at_most;
 };
 
-/* The angle of the vector (x, y) in [-pi, pi] radians, within 2.5e-16 relative. */
+/* The angle of the vector (x, y) in [-pi, pi] radians, within 3.3e-16 relative. */
 const $atan2 = (y, x) => {
     const ax = Math.abs(x);
     const ay = Math.abs(y);

@@ -131,22 +131,15 @@ const $is_steady = (jacobian, { residual }) => {
     return residual < 1e-10 && least > largest * 1e-6;
 };
 
-/* Moves a configuration towards the target until it is there, or for so many steps: from the fourth
- * on, one that does not come nearer by a factor of 0.6 in a step is not waited for, since at a double
- * root it gains 4. Where it arrived, how far the tip is from the target in units of the arm's size,
- * and how far from singular the Jacobian is. */
+/* Moves a configuration towards the target until it is there, or for so many steps: next to a singular
+ * one it may go away for some steps before it comes nearer. Where it arrived, how far the tip is from
+ * the target in units of the arm's size, and how far from singular the Jacobian is. */
 const $polish = (search, target, start, steps) => {
     const q = start.slice();
-    let before = Infinity;
     let system = $system(search, target, q);
     let jacobian = $orthogonal(system);
-    for (let step = 0; step < steps; ++step) {
-        const nearer = system.residual < 0.6 * before;
-        /* Below, the residual is rounding. */
-        if (!(system.residual > 1e-14 && (nearer || step < 4))) {
-            break;
-        }
-        before = system.residual;
+    /* Below, the residual is rounding. */
+    for (let step = 0; step < steps && system.residual > 1e-14; ++step) {
         const change = $solve_jacobian(jacobian, system.error);
         /* No joint moves by more in one step, radians or half the arm's size. */
         const longest = change.reduce((most, x) => $max(most, Math.abs(x)), 0.3);

@@ -1,0 +1,76 @@
+//! What users do that was not meant.
+
+use crate::js::JsRobot;
+use crate::program::Compiler;
+use kin_codegen::{Options, Source, generate_js};
+use std::io::Write as _;
+use std::path::Path;
+use std::process::Stdio;
+
+fn javascript(robot: &str) -> JsRobot {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let source = Source::read(robot, &root).unwrap();
+    JsRobot::new(&generate_js(&source, &Options::default()).unwrap().source)
+}
+
+/// Compilers define these for the options that change what rounding and what is not a number are.
+#[test]
+fn c_for_other_numbers_is_refused() {
+    if !Compiler::C.is_there() {
+        return;
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let code = std::fs::read_to_string(root.join("tests/golden/ur5e.c")).unwrap();
+    let said = |options: &[&str]| {
+        let mut command = Compiler::C.command();
+        command.args(options).args(["-w", "-fsyntax-only", "-I"]);
+        command.arg(root.join("tests/golden")).arg("-");
+        let command = command.stdin(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let mut stdin = child.stdin.take().unwrap();
+        stdin.write_all(code.as_bytes()).unwrap();
+        drop(stdin);
+        String::from_utf8(child.wait_with_output().unwrap().stderr).unwrap()
+    };
+    assert_eq!(said(&["-O2"]), "");
+    let parts = "compile without -ffast-math and its parts";
+    for option in [
+        "-ffast-math",
+        "-ffinite-math-only",
+        "-D__ASSOCIATIVE_MATH__=1",
+    ] {
+        let said = said(&[option]);
+        assert!(said.contains(parts), "{option}: {said}");
+    }
+    let wider = said(&["-U__FLT_EVAL_METHOD__", "-D__FLT_EVAL_METHOD__=2"]);
+    assert!(
+        wider.contains("compile with -msse2 -mfpmath=sse"),
+        "{wider}"
+    );
+}
+
+/// Newton's method goes away from these solutions for some steps before it comes nearer.
+#[test]
+fn a_target_next_to_singular_ones_has_solutions_in_javascript() {
+    let crx = javascript("tests/robots/crx10ial.yaml");
+    let near = [
+        0.000_034_347_132_347_464_22,
+        3.141_592_618_922_835,
+        1.570_798_606_184_771_6,
+        1.570_796_326_794_547_7,
+        5.789_638_760_371_755e-12,
+        -5.579_011_029_955_714e-10,
+    ];
+    let input = near.map(|x| x.to_string()).join(" ");
+    let count: usize = crx.call("count_of", &input).parse().unwrap();
+    assert!(count > 0);
+}
+
+#[test]
+fn parameters_that_are_too_many_or_too_few_are_told_in_javascript() {
+    let panda = javascript("robots/panda.yaml");
+    let said = panda.call("with_parameters", "0.3 0.5 -0.2 -1.8 0.4 1.9 0.6");
+    let refused = "TypeError: a target takes 1 parameters here: joint7";
+    let expected = ["true", refused, refused, refused, "0", "not finite", "true"];
+    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+}
