@@ -510,4 +510,5 @@ fn optimized_c_is_the_same() {
     let plain = run("-O0");
     assert!(plain.split_whitespace().count() > 10_000);
     assert!(plain == run("-O2"));
+    assert!(plain == run("-O3"));
 }

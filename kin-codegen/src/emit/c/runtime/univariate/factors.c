@@ -10,10 +10,10 @@ typedef struct kin_factors {
 
 /* x -= a b + c d + e f + g h, in this order. */
 KIN_INLINE void kin_minus_four(
-    double *KIN_RESTRICT x, const double *KIN_RESTRICT a, const double *KIN_RESTRICT b,
-    const double *KIN_RESTRICT c, const double *KIN_RESTRICT d, const double *KIN_RESTRICT e,
-    const double *KIN_RESTRICT f, const double *KIN_RESTRICT g, const double *KIN_RESTRICT h)
+    double *x, const double *a, const double *b, const double *c, const double *d, const double *e,
+    const double *f, const double *g, const double *h)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] = x[k] - a[k] * b[k] - c[k] * d[k] - e[k] * f[k] - g[k] * h[k];
     }

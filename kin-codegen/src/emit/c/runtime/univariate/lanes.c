@@ -3,10 +3,15 @@
 #define KIN_LANES 8
 typedef double kin_pack[KIN_LANES];
 
-#if defined(__GNUC__)
-#define KIN_RESTRICT __restrict__
+/* In front of a loop over the places: they do not depend on each other, also where x and a are one
+ * pack. (`restrict` would say too much: inlined in a loop, GCC holds it of the packs of all its rounds.)
+ */
+#if defined(__clang__)
+#define KIN_EACH_LANE _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define KIN_EACH_LANE _Pragma("GCC unroll 1") _Pragma("GCC ivdep")
 #else
-#define KIN_RESTRICT
+#define KIN_EACH_LANE
 #endif
 
 /* Defines a function by its inline body, `name`_of; in optimized code by wider vector instructions
@@ -41,8 +46,9 @@ KIN_INLINE void kin_fill(double *x, double value)
     }
 }
 
-KIN_INLINE void kin_copy(double *KIN_RESTRICT x, const double *KIN_RESTRICT a)
+KIN_INLINE void kin_copy(double *x, const double *a)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] = a[k];
     }
@@ -50,8 +56,9 @@ KIN_INLINE void kin_copy(double *KIN_RESTRICT x, const double *KIN_RESTRICT a)
 
 /* x += a b. */
 KIN_INLINE void kin_plus(
-    double *KIN_RESTRICT x, const double *KIN_RESTRICT a, const double *KIN_RESTRICT b)
+    double *x, const double *a, const double *b)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] += a[k] * b[k];
     }
@@ -59,32 +66,36 @@ KIN_INLINE void kin_plus(
 
 /* x -= a b. */
 KIN_INLINE void kin_minus(
-    double *KIN_RESTRICT x, const double *KIN_RESTRICT a, const double *KIN_RESTRICT b)
+    double *x, const double *a, const double *b)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] -= a[k] * b[k];
     }
 }
 
 /* x += a b for the same b in all places. */
-KIN_INLINE void kin_plus_scaled(double *KIN_RESTRICT x, const double *KIN_RESTRICT a, double b)
+KIN_INLINE void kin_plus_scaled(double *x, const double *a, double b)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] += a[k] * b;
     }
 }
 
 /* x *= a. */
-KIN_INLINE void kin_times(double *KIN_RESTRICT x, const double *KIN_RESTRICT a)
+KIN_INLINE void kin_times(double *x, const double *a)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] *= a[k];
     }
 }
 
 /* x = max(x, |a|). */
-KIN_INLINE void kin_at_least(double *KIN_RESTRICT x, const double *KIN_RESTRICT a)
+KIN_INLINE void kin_at_least(double *x, const double *a)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         x[k] = kin_max(x[k], fabs(a[k]));
     }
@@ -92,15 +103,16 @@ KIN_INLINE void kin_at_least(double *KIN_RESTRICT x, const double *KIN_RESTRICT 
 
 /* 1/x, of an x that is nearer to 0 than `least` as if it were that far from it. */
 KIN_INLINE void kin_reciprocals(
-    double *KIN_RESTRICT out, const double *KIN_RESTRICT x, double least)
+    double *out, const double *x, double least)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         out[k] = 1.0 / copysign(kin_max(fabs(x[k]), least), x[k]);
     }
 }
 
 /* The sum of n products. */
-KIN_INLINE void kin_dot(double *KIN_RESTRICT out, kin_pack *a, kin_pack *b, int n)
+KIN_INLINE void kin_dot(double *out, kin_pack *a, kin_pack *b, int n)
 {
     kin_fill(out, 0.0);
     for (int i = 0; i < n; ++i) {
@@ -122,8 +134,9 @@ KIN_INLINE void kin_normalize(kin_pack *x, int n)
 }
 
 KIN_INLINE void kin_sines_and_cosines(
-    const double *KIN_RESTRICT x, double *KIN_RESTRICT sine, double *KIN_RESTRICT cosine)
+    const double *x, double *sine, double *cosine)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         kin_sin_cos(x[k], &sine[k], &cosine[k]);
     }
@@ -131,8 +144,9 @@ KIN_INLINE void kin_sines_and_cosines(
 
 /* The angles of (cosine, sine) times any length. */
 KIN_INLINE void kin_angles(
-    double *KIN_RESTRICT out, const double *KIN_RESTRICT sine, const double *KIN_RESTRICT cosine)
+    double *out, const double *sine, const double *cosine)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         out[k] = kin_angle(sine[k], cosine[k]);
     }

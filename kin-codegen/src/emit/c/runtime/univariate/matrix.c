@@ -1,12 +1,13 @@
 /* The equations of one row of the matrices, at values of the kept joint by the cosine and sine of its
  * half: where its entry i belongs, `place`[i] says. */
 KIN_INLINE void kin_write_row(
-    const kin_recovery *of, int row, const double *KIN_RESTRICT cosine,
-    const double *KIN_RESTRICT sine, const int *place, kin_pack *KIN_RESTRICT out)
+    const kin_recovery *of, int row, const double *cosine, const double *sine, const int *place,
+    kin_pack *out)
 {
     const int equation = of->places.equation[row];
     const int is_half = equation < of->elimination->half;
     kin_pack c, s;
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         const double whole = cosine[k] * cosine[k] - sine[k] * sine[k];
         const double twice = (cosine[k] + cosine[k]) * sine[k];
@@ -17,6 +18,7 @@ KIN_INLINE void kin_write_row(
         const double *f = of->functionals[equation][i];
         const double one = f[0], a = f[1], b = f[2];
         double *entry = out[place[i]];
+        KIN_EACH_LANE
         for (int k = 0; k < KIN_LANES; ++k) {
             entry[k] = one + a * c[k] + b * s[k];
         }

@@ -80,8 +80,9 @@ KIN_INLINE void kin_place_vectors(const double pose[12], int points, kin_pack x[
 
 /* Vectors turned about z. */
 KIN_INLINE void kin_turn(
-    const double *sine, const double *cosine, double *KIN_RESTRICT x, double *KIN_RESTRICT y)
+    const double *sine, const double *cosine, double *x, double *y)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         const double a = x[k], b = y[k];
         x[k] = cosine[k] * a - sine[k] * b;
@@ -91,8 +92,9 @@ KIN_INLINE void kin_turn(
 
 /* The same backwards. */
 KIN_INLINE void kin_turn_back(
-    const double *sine, const double *cosine, double *KIN_RESTRICT x, double *KIN_RESTRICT y)
+    const double *sine, const double *cosine, double *x, double *y)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         const double a = x[k], b = y[k];
         x[k] = a * cosine[k] + b * sine[k];

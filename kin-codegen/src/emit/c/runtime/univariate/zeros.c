@@ -67,9 +67,9 @@ static void kin_turn_harmonics(const kin_harmonics *f, double angle, kin_about *
 
 /* Complex numbers: (p + a) z, in place. */
 KIN_INLINE void kin_add_and_multiply(
-    double *KIN_RESTRICT re, double *KIN_RESTRICT im, double a, double b,
-    const double *KIN_RESTRICT x, const double *KIN_RESTRICT y)
+    double *re, double *im, double a, double b, const double *x, const double *y)
 {
+    KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
         const double u = re[k] + a, v = im[k] + b;
         re[k] = u * x[k] - v * y[k];
