@@ -14,6 +14,11 @@ kinematics!(
 );
 kinematics!("robots/redundant/mobile_panda.yaml");
 kinematics!(
+    "robots/redundant/rail.yaml",
+    name = RailByWrist,
+    free = "wrist_3"
+);
+kinematics!(
     "../robots/panda.yaml",
     name = PandaTool,
     target = position_axis
@@ -236,6 +241,36 @@ fn a_limit_is_crossed_where_an_arm_is_nearly_folded() {
             );
         }
     }
+}
+
+/// Along the last joint the rail runs to infinity, next to which branches end.
+#[test]
+fn next_to_where_a_slide_runs_to_infinity_branches_end_where_they_do() {
+    let q = [
+        0.850_912_908_058_339_7,
+        -2.541_134_185_295_925,
+        1.703_118_198_342_693_7,
+        2.828_887_681_121_983,
+        -1.425_634_814_574_663_8,
+        -1.152_955_971_625_215,
+        -1.248_448_274_370_270_5,
+    ];
+    let target = RailByWrist.fk(&q);
+    let all = RailByWrist.feasible(&target);
+    let within = RailByWrist.feasible_within(&target, &RailByWrist::LIMITS);
+    let mut none_between = false;
+    for i in 0..200 {
+        // Two branches end at 1.919 and begin again at 1.949.
+        let value = 1.9 + 0.0005 * (f64::from(i) + 0.37);
+        let solutions = RailByWrist.ik_at(&target, value);
+        let held = all.iter().filter(|it| it.contains(value)).count();
+        assert_eq!(held, solutions.len(), "{value}: {all:#?}");
+        let inside = solutions.within_limits(&RailByWrist::LIMITS).len();
+        let held = within.iter().filter(|it| it.contains(value)).count();
+        assert_eq!(held, inside, "{value}: {within:#?}");
+        none_between |= solutions.len() < RailByWrist::BRANCHES_AT;
+    }
+    assert!(none_between);
 }
 
 /// Metres do not come round.

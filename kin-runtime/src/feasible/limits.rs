@@ -135,16 +135,25 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         let least = math::sin_cos(half).1;
         let inside = |q: f64| match turns {
             true if is_narrow(*stop) => math::sin_cos(q - middle).0,
-            false if is_narrow(*stop) => q - middle,
+            false if is_narrow(*stop) => bounded(q - middle),
             // Steady where the angle wraps.
             true => math::sin_cos(q - middle).1 - least,
-            false if half.is_finite() => half * half - (q - middle) * (q - middle),
-            false if lower.is_finite() => q - lower,
-            false => upper - q,
+            // A slide may run to infinity along the parameter.
+            false if half.is_finite() => {
+                let [half, off] = [half, q - middle].map(|x| x * x);
+                (half - off) / (half + off)
+            }
+            false if lower.is_finite() => bounded(q - lower),
+            false => bounded(upper - q),
         };
         // Where there is no solution it crosses nothing.
         let f = |variable: f64| at(variable).map_or(1.0, |x| inside(task.q(&x)[joint]));
         found.extend(zeros(&cosines, &f, whole.from, whole.to, PIECES).crossing);
     }
     found
+}
+
+/// A number between −1 and 1 that is zero where `x` is.
+fn bounded(x: f64) -> f64 {
+    x / math::sqrt(1.0 + x * x)
 }

@@ -9,6 +9,7 @@
 use super::interpolant::{Cosines, POINTS, Polynomial};
 use crate::math;
 use crate::scalar::golden_section::GoldenSection;
+use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 
@@ -24,8 +25,8 @@ const NOISY: f64 = 1e-6;
 const STAYS: f64 = 0.7;
 /// Halvings of a piece at most: at a kink.
 const HALVINGS: u32 = 18;
-/// Pieces that are halved at most: where the function is rounding.
-const HALVED: u32 = 48;
+/// Pieces that are halved at most, wide ones first: where the function is rounding, and at poles.
+const HALVED: u32 = 96;
 /// Halvings of a part between two points at most; two zeros in what is left are looked for by
 /// the function itself.
 const PARTS: u32 = 8;
@@ -66,29 +67,49 @@ pub(super) fn zeros(
         cosines,
         f,
         found: Zeros::default(),
+        waiting: VecDeque::new(),
         halved: 0,
     };
     let end = |i: usize| from + (to - from) * i as f64 / pieces as f64;
     let mut before = (from, f(from));
     for i in 1..=pieces {
         let next = (end(i), f(end(i)));
-        search.piece(before, next, HALVINGS, f64::INFINITY);
+        search.waiting.push_back(Piece {
+            ends: [before, next],
+            halvings: HALVINGS,
+            left: f64::INFINITY,
+        });
         before = next;
     }
+    while let Some(piece) = search.waiting.pop_front() {
+        search.piece(piece);
+    }
+    search.found.crossing.sort_by(f64::total_cmp);
     search.found
+}
+
+/// A piece that is looked at.
+struct Piece {
+    ends: [Sample; 2],
+    /// How often it may be halved.
+    halvings: u32,
+    /// What was left in the last coefficients of the piece that it is a half of.
+    left: f64,
 }
 
 struct Search<'a> {
     cosines: &'a Cosines,
     f: &'a dyn Fn(f64) -> f64,
     found: Zeros,
+    /// The widest first.
+    waiting: VecDeque<Piece>,
     /// How many pieces were halved.
     halved: u32,
 }
 
 impl Search<'_> {
-    /// `before` is what was left in the last coefficients of the piece that this is a half of.
-    fn piece(&mut self, from: Sample, to: Sample, halvings: u32, before: f64) {
+    fn piece(&mut self, piece: Piece) {
+        let [from, to] = piece.ends;
         let (middle, half) = (0.5 * (from.0 + to.0), 0.5 * (to.0 - from.0));
         // From `from` to `to`: θ falls from π to 0.
         let place = |theta: f64| middle + half * math::sin_cos(theta).1;
@@ -105,16 +126,20 @@ impl Search<'_> {
         let off_ends = off_ends.map(|(theta, value)| (polynomial.at(theta) - value).abs());
         let left = tail.iter().fold(0.0, |most, c| math::max(most, c.abs()));
         // What halving does not lessen is noise, next to singular configurations.
-        let is_noise = left <= NOISY * largest && left > STAYS * before;
+        let is_noise = left <= NOISY * largest && left > STAYS * piece.left;
         let is_resolved = (left <= RESOLVED * largest + NOISE || is_noise)
             && off_ends
                 .iter()
                 .all(|off| *off <= AT_ENDS * largest + NOISE + 10.0 * left);
-        if !is_resolved && halvings > 0 && self.halved < HALVED {
+        if !is_resolved && piece.halvings > 0 && self.halved < HALVED {
             self.halved += 1;
             let middle = (middle, (self.f)(middle));
-            self.piece(from, middle, halvings - 1, left);
-            self.piece(middle, to, halvings - 1, left);
+            let halves = [[from, middle], [middle, to]];
+            self.waiting.extend(halves.map(|ends| Piece {
+                ends,
+                halvings: piece.halvings - 1,
+                left,
+            }));
             return;
         }
         let mut before = (PI, from.1);
