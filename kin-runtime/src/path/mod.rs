@@ -89,7 +89,8 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
             }));
         }
         layers.push(inside);
-        if all.iter().any(|solution| solution.singular) {
+        // A slide that is free stays where the seed has it, also where the rest does not reach.
+        if all.is_empty() || all.iter().any(|solution| solution.singular) {
             singular.push(target);
         }
     }
