@@ -140,8 +140,8 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
             true => math::sin_cos(q - middle).1 - least,
             // A slide may run to infinity along the parameter.
             false if half.is_finite() => {
-                let [half, off] = [half, q - middle].map(|x| x * x);
-                (half - off) / (half + off)
+                let share = (q - middle) / half;
+                (1.0 - share * share) / (1.0 + share * share)
             }
             false if lower.is_finite() => bounded(q - lower),
             false => bounded(upper - q),
