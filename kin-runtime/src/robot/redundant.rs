@@ -243,6 +243,10 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// A slide that lacks a stop is looked at up to 10 m beyond the target's distance from the
     /// base, both ways, or twice as far from its other stop.
     ///
+    /// # Panics
+    ///
+    /// More than eight joints are not held: then one parameter does not leave isolated solutions. So do
+    /// the functions below.
     #[cfg(feature = "alloc")]
     fn feasible(&self, target: &Pose) -> Vec<FeasibleInterval<N>> {
         feasible(self, target)
