@@ -1,4 +1,4 @@
-//! What C and JavaScript are told of an arm in numbers, and do not ask Rust for.
+//! What generated C and JavaScript say of an arm in numbers.
 
 use crate::closed_form::{ClosedForm, Inverse};
 use crate::plan::Target;

@@ -3,9 +3,8 @@
 #define KIN_LANES 8
 typedef double kin_pack[KIN_LANES];
 
-/* In front of a loop over the places: they do not depend on each other, also where x and a are one
- * pack. (`restrict` would say too much: inlined in a loop, GCC holds it of the packs of all its rounds.)
- */
+/* In front of a loop over the places, which do not depend on each other. `restrict` would say too much:
+ * where a function is inlined in a loop, GCC holds it of the packs of all rounds. */
 #if defined(__clang__)
 #define KIN_EACH_LANE _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
@@ -55,8 +54,7 @@ KIN_INLINE void kin_copy(double *x, const double *a)
 }
 
 /* x += a b. */
-KIN_INLINE void kin_plus(
-    double *x, const double *a, const double *b)
+KIN_INLINE void kin_plus(double *x, const double *a, const double *b)
 {
     KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
@@ -65,8 +63,7 @@ KIN_INLINE void kin_plus(
 }
 
 /* x -= a b. */
-KIN_INLINE void kin_minus(
-    double *x, const double *a, const double *b)
+KIN_INLINE void kin_minus(double *x, const double *a, const double *b)
 {
     KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
@@ -102,8 +99,7 @@ KIN_INLINE void kin_at_least(double *x, const double *a)
 }
 
 /* 1/x, of an x that is nearer to 0 than `least` as if it were that far from it. */
-KIN_INLINE void kin_reciprocals(
-    double *out, const double *x, double least)
+KIN_INLINE void kin_reciprocals(double *out, const double *x, double least)
 {
     KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
@@ -133,8 +129,7 @@ KIN_INLINE void kin_normalize(kin_pack *x, int n)
     }
 }
 
-KIN_INLINE void kin_sines_and_cosines(
-    const double *x, double *sine, double *cosine)
+KIN_INLINE void kin_sines_and_cosines(const double *x, double *sine, double *cosine)
 {
     KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
@@ -143,8 +138,7 @@ KIN_INLINE void kin_sines_and_cosines(
 }
 
 /* The angles of (cosine, sine) times any length. */
-KIN_INLINE void kin_angles(
-    double *out, const double *sine, const double *cosine)
+KIN_INLINE void kin_angles(double *out, const double *sine, const double *cosine)
 {
     KIN_EACH_LANE
     for (int k = 0; k < KIN_LANES; ++k) {
