@@ -318,7 +318,7 @@ pub struct RobotOptions {
     pub tip: Option<String>,
     /// The frame of a tool in that of the tip, whose poses are meant: metres and
     /// radians, as a URDF's <origin> [default: the tip itself]
-    #[arg(long, num_args = 6, allow_negative_numbers = true,
+    #[arg(long, num_args = 6, value_parser = number, allow_hyphen_values = true,
         value_names = ["X", "Y", "Z", "ROLL", "PITCH", "YAW"])]
     pub tool: Option<Vec<f64>>,
     /// Inverse kinematics: closed_form or none

@@ -13,7 +13,10 @@ fn main() -> ExitCode {
     match written.into_iter().find_map(Result::err) {
         // Whoever reads has seen enough: `kin explain arm.urdf | head -1`.
         Some(error) if error.kind() == ErrorKind::BrokenPipe => done.exit.into(),
-        Some(_) => ExitCode::FAILURE,
+        Some(error) => {
+            let _ = writeln!(io::stderr(), "the output cannot be written: {error}");
+            ExitCode::FAILURE
+        }
         None => done.exit.into(),
     }
 }

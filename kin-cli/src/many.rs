@@ -49,7 +49,7 @@ pub fn forward(arguments: &Fk) -> Done {
 pub fn inverse(arguments: &InverseOfMany) -> Done {
     let options = arguments.options.options();
     if options.ik == Ik::None {
-        let reason = "solutions are of inverse kinematics: leave out `--ik none`";
+        let reason = "solutions are of inverse kinematics: leave out `--no-ik` (`--ik none`)";
         return Done::failing(Exit::Usage, reason);
     }
     let (robot, identity) = match load(&arguments.file, &options) {

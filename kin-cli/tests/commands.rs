@@ -355,7 +355,9 @@ fn mechanisms_are_explained_generated_and_told_from_arms() {
     assert!(stderr(&tried).contains("try an arm, and this is a mechanism\nhelp: leave them out"));
     let without = kin(&["check", "robots/ur5e.urdf", "--no-ik", "--targets", "10"]);
     assert_eq!(without.status.code(), Some(1));
-    assert!(stderr(&without).contains("--no-ik leaves it out\nhelp: leave out --no-ik"));
+    assert!(
+        stderr(&without).contains("--no-ik (--ik none) leaves it out\nhelp: leave out --no-ik")
+    );
     // The arms beside it are tried.
     let both = kin(&["check", DELTA, "robots/ur5e.urdf", "--targets", "10"]);
     assert_eq!(both.status.code(), Some(1));

@@ -101,7 +101,7 @@ fn what_is_wrong_is_said() {
     assert_eq!(done.exit, Exit::Usage);
     assert!(
         done.stderr
-            .starts_with("`--from` takes 4 finite numbers, for "),
+            .starts_with("`--from` takes 4 finite numbers below 1e12, for "),
         "{}",
         done.stderr
     );
@@ -113,7 +113,17 @@ fn what_is_wrong_is_said() {
     );
     assert!(
         nan.stderr
-            .starts_with("`--to` takes 4 finite numbers, for ")
+            .starts_with("`--to` takes 4 finite numbers below 1e12, for ")
+    );
+    let far = plot(
+        "../robots/scara.yaml",
+        "0.3,0.8,0,0",
+        "1e307,0.1,0.02,-0.4",
+        &svg,
+    );
+    assert!(
+        far.stderr
+            .starts_with("`--to` takes 4 finite numbers below 1e12")
     );
     let gif = temporary("wrong.gif");
     let done = plot(
@@ -334,7 +344,7 @@ fn what_is_wrong_with_a_table_is_said() {
     let done = plot("../robots/delta.yaml", "0,0", "0,0,0", &svg);
     assert!(
         done.stderr
-            .starts_with("`--from` takes 3 finite numbers, for motor1, motor2, motor3"),
+            .starts_with("`--from` takes 3 finite numbers below 1e12, for motor1, motor2, motor3"),
         "{}",
         done.stderr
     );

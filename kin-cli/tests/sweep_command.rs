@@ -141,7 +141,9 @@ fn a_configuration_has_a_value_for_each_joint() {
     assert_eq!(refused.status.code(), Some(1));
     assert_eq!(
         stderr(&refused),
-        "robots/ur5e.urdf: --at has 3 values, and the arm 6 joints\n"
+        "robots/ur5e.urdf: --at has 3 values, and the arm 6 joints\nhelp: give a number for each of \
+         shoulder_pan_joint, shoulder_lift_joint, elbow_joint, wrist_1_joint, wrist_2_joint, \
+         wrist_3_joint, radians and metres\n"
     );
     let wrong = check(&["robots/ur5e.urdf", "--at", "1,2,x"]);
     assert_eq!(wrong.status.code(), Some(2));

@@ -91,7 +91,7 @@ fn type_ident(name: &str) -> Result<Ident, Diagnostic> {
         _ => (
             format!("`{name}` cannot name the type of a robot"),
             match options::upper_camel_case(name) {
-                camel if camel == name || rust::is_taken(&camel) => {
+                camel if camel == name || rust::is_taken(&camel) || camel == "Self" => {
                     "choose another with the option `name`".into()
                 }
                 camel => format!(

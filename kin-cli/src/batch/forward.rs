@@ -98,7 +98,9 @@ pub fn columns(path: &Path, header: &Header, joints: &[&str]) -> Result<Vec<usiz
 
 /// The column of a joint, or of something else with a name.
 pub fn joint(path: &Path, names: &[String], wanted: &str) -> Result<usize, Fault> {
-    let mut places = (0..names.len()).filter(|&place| names[place] == wanted);
+    // The names of a text stand without the spaces around them.
+    let is_wanted = |&place: &usize| names[place].trim() == wanted.trim();
+    let mut places = (0..names.len()).filter(is_wanted);
     match (places.next(), places.next()) {
         (Some(place), None) => Ok(place),
         (Some(_), Some(_)) => Err(Fault::whole(

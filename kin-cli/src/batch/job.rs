@@ -2,6 +2,7 @@
 
 use super::partial::{Partial, forget};
 use super::pipeline::Pipeline;
+use super::place::place_of;
 use super::task::{Tally, Task};
 use crate::table::{Encoder, Fault, Place, Reader};
 use std::fs;
@@ -57,6 +58,7 @@ impl Job<'_> {
         mut self,
         progress: &mut dyn FnMut(u64) -> ControlFlow<()>,
     ) -> Result<Report, Fault> {
+        self.output = place_of(&self.output)?;
         let identity = self.identity()?;
         let mut partial = Partial::open(&self.output, &identity, &*self.encoder)?;
         let skipped = partial.done.len();

@@ -1,9 +1,10 @@
 //! What was done of an output, line by line beside it.
 
+use super::place::open_hidden;
 use super::task::Tally;
 use crate::table::Fault;
 use serde::{Deserialize, Serialize};
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io::{self, BufRead, BufReader, Seek, Write};
 use std::path::Path;
 
@@ -55,11 +56,7 @@ impl Journal {
         output: &Path,
         identity: &str,
     ) -> Result<(Self, Progress), Fault> {
-        let mut options = OpenOptions::new();
-        options.read(true).write(true).create(true).truncate(false);
-        let file = options
-            .open(path)
-            .map_err(|error| Fault::unwritable(output, &error))?;
+        let file = open_hidden(path, output)?;
         // Where files cannot be locked, nobody is warned.
         if let Err(TryLockError::WouldBlock) = file.try_lock() {
             let reason = "is being written by another process";

@@ -35,6 +35,7 @@ mod job;
 mod journal;
 mod partial;
 mod pipeline;
+mod place;
 mod pose;
 mod task;
 

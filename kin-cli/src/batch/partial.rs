@@ -7,8 +7,9 @@
 
 use super::journal::{Done, Journal, Progress};
 use super::pipeline::Finished;
+use super::place::{beside, open_hidden, place_of};
 use crate::table::{Encoder, Fault};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -24,16 +25,12 @@ pub(super) struct Partial<'a> {
     pub(super) is_whole: bool,
 }
 
-/// A hidden file beside the output, for those who take all files of a folder.
-fn beside(output: &Path, ending: &str) -> PathBuf {
-    let name = output.file_name().unwrap_or_default().to_string_lossy();
-    output.with_file_name(format!(".{name}.{ending}"))
-}
-
 /// Removes the journal of an output that is whole, after which it would be made anew.
 pub(super) fn forget(output: &Path) {
     // If it stays, nothing but time is lost.
-    let _ = fs::remove_file(beside(output, "journal"));
+    if let Ok(place) = place_of(output) {
+        let _ = fs::remove_file(beside(&place, "journal"));
+    }
 }
 
 impl<'a> Partial<'a> {
@@ -50,13 +47,11 @@ impl<'a> Partial<'a> {
         let unwritable = |error| Fault::unwritable(output, &error);
         let (journal, progress) = Journal::open(&beside(output, "journal"), output, identity)?;
         let Progress { done, is_whole } = progress;
-        let mut options = OpenOptions::new();
-        options.read(true).write(true).create(true).truncate(false);
-        let data = options.open(beside(output, "partial"));
+        let data = open_hidden(&beside(output, "partial"), output)?;
         let mut partial = Self {
             output: output.to_owned(),
             encoder,
-            data: data.map_err(unwritable)?,
+            data,
             journal,
             done,
             is_whole: is_whole && output.is_file(),

@@ -90,8 +90,8 @@ impl Checked {
         let (model, Some(form)) = (&arm.model, arm.form()) else {
             return match arguments.targets > 0 || arguments.at.is_some() {
                 true => Err(format!(
-                    "{}: --targets and --at try inverse kinematics, and --no-ik leaves it out\n\
-                     help: leave out --no-ik",
+                    "{}: --targets and --at try inverse kinematics, and --no-ik (--ik none) \
+                     leaves it out\nhelp: leave out --no-ik (--ik none)",
                     one_line(&self.check.path)
                 )),
                 false => Ok(()),
@@ -112,14 +112,22 @@ impl Checked {
         }
         if let Some(q) = &arguments.at {
             let replay = Replay::new(model, form, q).ok_or_else(|| {
-                let (path, joints) = (&self.check.path, model.variables.len());
-                match q.len() == joints {
-                    true => format!("{path}: the values of --at have to be finite"),
+                let path = one_line(&self.check.path);
+                let names: Vec<String> = (model.variables.iter())
+                    .map(|it| one_line(&it.name))
+                    .collect();
+                let reason = match q.len() == names.len() {
+                    true => "the values of --at have to be finite".to_owned(),
                     false => format!(
-                        "{path}: --at has {} values, and the arm {joints} joints",
-                        q.len()
+                        "--at has {} values, and the arm {} joints",
+                        q.len(),
+                        names.len()
                     ),
-                }
+                };
+                format!(
+                    "{path}: {reason}\nhelp: give a number for each of {}, radians and metres",
+                    names.join(", ")
+                )
             })?;
             self.replay = Some(replay);
         }

@@ -30,7 +30,7 @@ pub fn run(arguments: &arguments::Plot) -> Done {
 fn plot(arguments: &arguments::Plot) -> Result<String, Done> {
     let options = arguments.options.options();
     if options.ik == Ik::None {
-        let reason = "a path is followed by inverse kinematics: leave out `--ik none`";
+        let reason = "a path is followed by inverse kinematics: leave out `--no-ik` (`--ik none`)";
         return Err(Done::failing(Exit::Usage, reason));
     }
     if arguments.table.is_none() && arguments.from.is_empty() {
@@ -101,10 +101,10 @@ fn mechanism(
 /// That the ends of a path are configurations.
 fn check(arguments: &arguments::Plot, joints: &[&str]) -> Result<(), Done> {
     for (option, q) in [("from", &arguments.from), ("to", &arguments.to)] {
-        if q.len() != joints.len() || !q.iter().all(|x| x.is_finite()) {
+        if q.len() != joints.len() || !q.iter().copied().all(path::is_place) {
             let names: Vec<String> = joints.iter().map(|it| one_line(it)).collect();
             let reason = format!(
-                "`--{option}` takes {} finite numbers, for {}",
+                "`--{option}` takes {} finite numbers below 1e12, for {}",
                 joints.len(),
                 names.join(", ")
             );

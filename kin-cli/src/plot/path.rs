@@ -9,6 +9,14 @@ const APART: f64 = 0.5;
 /// Beyond a limit by more is beyond it, radians and metres.
 const AT_A_STOP: f64 = 1e-6;
 
+/// Joints do not go as far, radians and metres; beyond it a number is no angle any more.
+const FARTHEST: f64 = 1e12;
+
+/// Whether a joint may be there.
+pub fn is_place(x: f64) -> bool {
+    x.abs() < FARTHEST
+}
+
 /// Solutions along a path, point by point.
 pub struct Path {
     /// What the points are counted by, with its unit.

@@ -1,5 +1,6 @@
 //! Paths that stand in tables.
 
+use super::path::is_place;
 use crate::batch::{Inverse, Kept, Task, columns as joint_columns};
 use crate::table::{Fault, Format, Header, Reader, Values};
 use kinematics::Robot;
@@ -143,7 +144,7 @@ fn complete(columns: &[Vec<f64>]) -> Vec<Option<Vec<f64>>> {
     let count = columns.first().map_or(0, Vec::len);
     let row = |row: usize| -> Vec<f64> { columns.iter().map(|column| column[row]).collect() };
     let rows = (0..count).map(row);
-    rows.map(|q| q.iter().all(|x| x.is_finite()).then_some(q))
+    rows.map(|q| q.iter().copied().all(is_place).then_some(q))
         .collect()
 }
 

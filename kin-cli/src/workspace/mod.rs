@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 pub fn run(arguments: &arguments::Workspace) -> Done {
     let options = arguments.options.options();
     if options.ik == Ik::None {
-        let reason = "a map is made by inverse kinematics: leave out `--ik none`";
+        let reason = "a map is made by inverse kinematics: leave out `--no-ik` (`--ik none`)";
         return Done::failing(Exit::Usage, reason);
     }
     let source = match read(&arguments.file) {

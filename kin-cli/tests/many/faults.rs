@@ -326,7 +326,11 @@ fn options_that_say_nothing_of_this_robot_are_refused() {
             &["--at", "nan"],
             "of `--at` have to be finite",
         ),
-        ("ur5e.urdf", &["--no-ik"], "leave out `--ik none`"),
+        (
+            "ur5e.urdf",
+            &["--no-ik"],
+            "leave out `--no-ik` (`--ik none`)",
+        ),
         (
             "ur5e.urdf",
             &["--share", "3/2"],

@@ -145,3 +145,44 @@ fn nothing_is_gone_on_with_that_was_made_otherwise() {
     let later = fixture.run("parts", "another robot", ALL_OF_IT);
     assert_eq!(later.before, 0);
 }
+
+/// Nor is something else written, or replaced.
+#[cfg(unix)]
+#[test]
+fn an_output_is_a_file_or_a_link_to_one() {
+    use std::os::unix::fs::symlink;
+    let folder = folder("links");
+    let robot = load("ur5e.urdf", RobotOptions::default());
+    let input = folder.join("joints.csv");
+    joints(&robot, 5, &input);
+    let at = |name: &str| folder.join(name);
+    let run = |output: &str| kin("fk", "ur5e.urdf", &input, &at(output), &["--format", "csv"]);
+
+    fs::write(at("far.csv"), "old").unwrap();
+    symlink("far.csv", at("near.csv")).unwrap();
+    succeeds(run("near.csv"));
+    assert!(fs::symlink_metadata(at("near.csv")).unwrap().is_symlink());
+    assert_eq!(csv(&at("far.csv")).len(), 6);
+
+    symlink("/dev/null", at("device.csv")).unwrap();
+    let done = run("device.csv");
+    assert_ne!(done.exit, Exit::Success);
+    assert!(
+        done.stderr.contains("is no file, and would be replaced"),
+        "{}",
+        done.stderr
+    );
+
+    for (output, hidden) in [("a.csv", ".a.csv.partial"), ("b.csv", ".b.csv.journal")] {
+        fs::write(at("victim"), "kept").unwrap();
+        symlink("victim", at(hidden)).unwrap();
+        let done = run(output);
+        assert_ne!(done.exit, Exit::Success);
+        assert!(
+            done.stderr.contains(&format!("{hidden}, which is no file")),
+            "{}",
+            done.stderr
+        );
+        assert_eq!(fs::read_to_string(at("victim")).unwrap(), "kept");
+    }
+}

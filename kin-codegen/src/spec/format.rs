@@ -20,6 +20,11 @@ pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
         .unwrap_or("");
     match extension.to_ascii_lowercase().as_str() {
         "urdf" | "xml" | "xacro" => Ok(Format::Urdf),
+        "yaml" | "yml" if source.text.trim_start().starts_with('<') => Err(refuse(
+            source,
+            "this is XML, and the name says that it is YAML",
+            "name the file `.urdf`",
+        )),
         "yaml" | "yml" => Ok(Format::Yaml),
         "sdf" | "mjcf" | "usd" | "usda" | "srdf" => Err(refuse(
             source,
@@ -91,7 +96,8 @@ mod tests {
     fn extensions_decide() {
         assert_eq!(format("a.URDF", ""), Ok(Format::Urdf));
         assert_eq!(format("a.urdf.xml", ""), Ok(Format::Urdf));
-        assert_eq!(format("a.yml", "<robot/>"), Ok(Format::Yaml));
+        assert_eq!(format("a.yml", "robot: arm"), Ok(Format::Yaml));
+        assert!(format("a.yml", "<robot/>").is_err());
     }
 
     #[test]

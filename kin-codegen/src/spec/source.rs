@@ -2,7 +2,8 @@
 
 use super::places::Places;
 use super::{Diagnostic, Diagnostics, Location};
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
 use std::ops::Range;
 use std::path::Path;
 
@@ -15,16 +16,32 @@ pub struct Source {
     pub text: String,
 }
 
+/// No robot file has more bytes.
+const MOST: u64 = 64 << 20;
+
+/// The bytes of a file, of a longer one so many and one more.
+fn read_up_to(most: u64, file: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(file)?.take(most + 1).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
 impl Source {
     /// Reads a robot file. A relative `path` is relative to `root`; messages
     /// name the file as `path` does.
     ///
     /// # Errors
     ///
-    /// The file cannot be read, or is not text.
+    /// The file cannot be read, is not text, or is larger than 64 MB.
     pub fn read(path: &str, root: &Path) -> Result<Source, Diagnostics> {
         let file = root.join(path);
-        let bytes = std::fs::read(&file).map_err(|error| unreadable(path, root, &file, &error))?;
+        let bytes = read_up_to(MOST, &file);
+        let bytes = bytes.map_err(|error| unreadable(path, root, &file, &error))?;
+        if bytes.len() as u64 > MOST {
+            let reason = format!("the file is larger than {} MB", MOST >> 20);
+            let remedy = "give a URDF or YAML file of a robot, without meshes in it";
+            return Err(Diagnostics::one(path, Diagnostic::whole(reason, remedy)));
+        }
         let text = text(bytes).map_err(|diagnostic| Diagnostics::one(path, diagnostic))?;
         Ok(Source {
             path: path.into(),
@@ -132,7 +149,7 @@ fn in_utf8(bytes: &[u8], part: Range<usize>) -> Result<&str, Diagnostic> {
     })
 }
 
-fn unreadable(path: &str, root: &Path, file: &Path, error: &std::io::Error) -> Diagnostics {
+fn unreadable(path: &str, root: &Path, file: &Path, error: &io::Error) -> Diagnostics {
     let shown = file.display();
     let relative = Path::new(path).is_relative() && !root.as_os_str().is_empty();
     let (reason, remedy) = match error.kind() {
