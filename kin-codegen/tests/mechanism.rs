@@ -4,6 +4,7 @@ use kin_codegen::mechanism::{Aim, CompiledMechanism, ForwardMethod, Mechanism};
 use kin_codegen::spec::{ArmSpec, MechanismSpec, Spec};
 use kin_codegen::{Compiled, Ik, Options, Source, Target, compile, generate};
 use kin_runtime::Pose;
+use std::fmt::Write as _;
 use std::path::Path;
 
 fn robot(file: &str) -> Source {
@@ -300,6 +301,51 @@ fn the_platform_of_a_delta_does_not_turn() {
         let aim = found.inverse.unwrap().aim;
         assert_eq!(aim, Aim::Translation, "{base} {platform} {arm:?} {rod}");
         assert!(matches!(found.forward, ForwardMethod::Spheres(_)));
+    }
+}
+
+/// A straight leg holds the platform the more, and says nothing of how it moves from there.
+#[test]
+fn home_may_have_singular_chains() {
+    let slider_crank = "
+robot: dead_centre
+units: {angle: rad, length: m}
+mechanism:
+  home: {xyz: [3, 0, 0]}
+  chains:
+    - name: crank
+      screws:
+        - {name: crank, axis: [0, 0, 1], point: [0, 0, 0], actuated: true}
+        - {name: crank_pin, axis: [0, 0, 1], point: [1, 0, 0]}
+        - {name: wrist_pin, axis: [0, 0, 1], point: [3, 0, 0]}
+    - name: guide
+      screws:
+        - {name: slide, type: prismatic, axis: [1, 0, 0]}
+";
+    let legs = [
+        [[1.0, 0.1], [0.6, 0.17], [0.2, 0.24]],
+        [[-0.6, 0.8], [-0.7, 0.25], [-0.3, 0.04]],
+        [[-0.4, -0.9], [0.13, -0.7], [0.1, -0.3]],
+    ];
+    let mut three_legs =
+        "robot: three_legs\nunits: {angle: rad, length: m}\nmechanism:\n  home: {xyz: [0, 0, 0]}\n  chains:\n".to_owned();
+    for (k, points) in legs.iter().enumerate() {
+        let _ = write!(three_legs, "    - name: leg{k}\n      screws:\n");
+        for (joint, [x, y]) in points.iter().enumerate() {
+            let actuated = joint == 0;
+            let _ = writeln!(
+                three_legs,
+                "        - {{name: j{k}{joint}, axis: [0, 0, 1], point: [{x}, {y}, 0], \
+                 actuated: {actuated}}}"
+            );
+        }
+    }
+    for (text, freedom) in [(slider_crank, 1), (&three_legs, 3)] {
+        let path = "singular_home.yaml".into();
+        let text = text.into();
+        let found = compiled(&Source { path, text });
+        assert_eq!(found.freedom.platform, freedom);
+        assert!(found.inverse.is_some());
     }
 }
 

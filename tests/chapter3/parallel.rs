@@ -4,6 +4,7 @@
 mod delta;
 mod five_bar;
 mod four_bar;
+mod led;
 mod loop_joints;
 mod properties;
 mod slider_crank;
@@ -14,6 +15,7 @@ kinematics::kinematics!("../robots/five_bar.yaml");
 kinematics::kinematics!("../robots/four_bar.yaml");
 kinematics::kinematics!("../robots/slider_crank.yaml");
 kinematics::kinematics!("../robots/stewart.yaml");
+kinematics::kinematics!("robots/led.yaml");
 
 use kin_codegen::mechanism::Mechanism;
 use kin_codegen::spec::{MechanismSpec, Source};

@@ -16,13 +16,14 @@ const SLIDER_CRANK: &str = "robots/slider_crank.yaml";
 /// Its chains have no closed form.
 const TWO_ARMS: &str = "tests/robots/two_arms.yaml";
 
-const MECHANISMS: [&str; 6] = [
+const MECHANISMS: [&str; 7] = [
     "robots/delta.yaml",
     "robots/five_bar.yaml",
     "robots/four_bar.yaml",
     SLIDER_CRANK,
     SIX_LEGS,
     "tests/robots/uneven_delta.yaml",
+    "tests/robots/led.yaml",
 ];
 
 /// The mechanism of a file, and the JavaScript of it.

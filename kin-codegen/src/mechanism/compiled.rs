@@ -100,9 +100,11 @@ impl CompiledMechanism {
 }
 
 /// Of the file and of the chains; what several chains say is told once.
-fn warnings(spec: &MechanismSpec, mechanism: &Mechanism) -> Vec<Diagnostic> {
+fn warnings(spec: &MechanismSpec, mechanism: &Mechanism, freedom: &Freedom) -> Vec<Diagnostic> {
     let mut warnings = spec.warnings.clone();
-    for warning in mechanism.legs.iter().flat_map(|leg| &leg.model.warnings) {
+    let of_chains = mechanism.legs.iter().flat_map(|leg| &leg.model.warnings);
+    let barely = freedom.warning(mechanism, &spec.source);
+    for warning in of_chains.chain(&barely) {
         if !warnings.contains(warning) {
             warnings.push(warning.clone());
         }
@@ -164,7 +166,7 @@ pub(crate) fn compile(
     };
     let compiled = CompiledMechanism {
         file: file.to_owned(),
-        warnings: warnings(spec, &mechanism),
+        warnings: warnings(spec, &mechanism, &freedom),
         legs: mechanism.legs.iter().enumerate().map(leg).collect(),
         mechanism,
         freedom,

@@ -21,6 +21,8 @@ pub struct Freedom {
     pub samples: Vec<Vec<f64>>,
     /// Whether the platform does not turn while the actuators drive it from home.
     pub translates: bool,
+    /// By how much the platform turns, radians, where that is so little that it is not meant to.
+    pub barely_turns: Option<f64>,
 }
 
 /// Steps of a drive away from home, and how many drives.
@@ -33,6 +35,15 @@ const NEAR: f64 = 0.1;
 
 /// Below this the actuators are not in charge.
 const SINGULAR: f64 = 1e-3;
+
+/// A platform that turns by less, radians, does not.
+const UPRIGHT: f64 = 1e-9;
+
+/// What is rounded to few digits turns by less, radians, where it would not.
+const NOISE: f64 = 1e-4;
+
+/// Freedoms that are lost by less, relative to the rest, are lost to rounding.
+const BARELY: f64 = 1e-5;
 
 impl Freedom {
     /// Counts freedoms at home and nearby.
@@ -49,19 +60,26 @@ impl Freedom {
         // analytic.
         let regular = generic.actuator_singularity(&home);
         let near = |k: usize| generic.fk_near(&goal(&generic, &home, k, NEAR * regular), &home);
-        let translates = match regular > SINGULAR {
-            true => (0..DRIVES).all(|k| near(k).as_ref().is_some_and(is_upright)),
-            false => samples.iter().all(is_upright),
+        let near = (0..DRIVES).map(|k| near(k).map_or(f64::INFINITY, |q| turned(mechanism, &q)));
+        let all = samples.iter().map(|q| turned(mechanism, q));
+        let most = match regular > SINGULAR {
+            true => near.fold(0.0, f64::max),
+            false => all.clone().fold(0.0, f64::max),
         };
+        // Elsewhere it may be in a mode in which it turns, but not by as little as rounding.
+        let barely = all.filter(|turned| *turned < NOISE).fold(0.0, f64::max);
+        let translates = most.max(barely) < UPRIGHT;
+        let barely_turns = (!translates && most < NOISE).then_some(most.max(barely));
         if translates {
             samples.retain(is_upright);
         }
-        let least = |count: &dyn Fn(&[f64]) -> usize| {
-            let counts = samples.iter().map(|q| count(q));
-            counts.min().unwrap_or(0)
-        };
-        let mobility = least(&|q| generic.mobility_at(q));
-        let platform = least(&|q| generic.platform_freedom(q));
+        // A chain that is singular, as home may have one, holds the platform the more.
+        let mobilities: Vec<usize> = samples.iter().map(|q| generic.mobility_at(q)).collect();
+        let mobility = mobilities.iter().copied().min().unwrap_or(0);
+        let regular = samples.iter().zip(&mobilities);
+        let regular = regular.filter(|(_, here)| **here == mobility);
+        let freedoms = regular.map(|(q, _)| generic.platform_freedom(q));
+        let platform = freedoms.max().unwrap_or(0);
         let dimension = generic.motion_dimension();
         Freedom {
             dimension,
@@ -70,6 +88,7 @@ impl Freedom {
             platform,
             samples,
             translates,
+            barely_turns,
         }
     }
 
@@ -96,7 +115,8 @@ impl Freedom {
                     mechanism.joints(),
                     self.gruebler
                 ),
-                "check axes and points; a joint may be missing".to_owned(),
+                self.precisely(&generic)
+                    .unwrap_or_else(|| "check axes and points; a joint may be missing".to_owned()),
             )
         } else if self.platform == 0 {
             (
@@ -124,11 +144,13 @@ impl Freedom {
                         n => format!("{n} leave"),
                     }
                 ),
-                format!(
-                    "leave out {} that can move while the platform rests, and {}",
-                    joints(self.mobility - self.platform),
-                    spec.topology.actuate(&joints(self.platform))
-                ),
+                self.precisely(&generic).unwrap_or_else(|| {
+                    format!(
+                        "leave out {} that can move while the platform rests, and {}",
+                        joints(self.mobility - self.platform),
+                        spec.topology.actuate(&joints(self.platform))
+                    )
+                }),
             )
         } else if actuated > self.platform {
             (
@@ -158,6 +180,34 @@ impl Freedom {
     }
 }
 
+impl Freedom {
+    /// What to do where a motion is lost to rounding: axes that are parallel but for that.
+    fn precisely(&self, generic: &kin_runtime::Mechanism) -> Option<String> {
+        let values = generic.structure(&vec![0.0; generic.joints()]);
+        let largest = values.first()?;
+        let lost = values.get(values.len().checked_sub(self.mobility + 1)?)? / largest;
+        (lost < BARELY).then(|| {
+            format!(
+                "a motion is lost to {lost:.0e} of the others, as where axes that are meant to be \
+                 parallel or to meet are so but for rounding: give axes and points with all digits, \
+                 twelve behind the point"
+            )
+        })
+    }
+
+    /// What is told of a platform that turns by so little that it is not meant to.
+    pub(super) fn warning(&self, mechanism: &Mechanism, source: &Source) -> Option<Diagnostic> {
+        let turned = self.barely_turns?;
+        let reason = format!(
+            "the platform turns by {turned:.0e} rad, as where rounding turns one that is not meant \
+             to: it is asked for whole poses, and has no closed-form forward kinematics"
+        );
+        let remedy = "give axes and points with all digits, twelve behind the point, if it is to \
+                      keep its orientation";
+        Some(Diagnostic::at(mechanism.at, source, reason, remedy).warning())
+    }
+}
+
 fn joints(n: usize) -> String {
     match n {
         1 => "one joint".into(),
@@ -178,8 +228,13 @@ fn refuse(
 
 /// Whether the platform is turned as it is at home.
 pub(super) fn is_upright(mechanism: &Mechanism, q: &[f64]) -> bool {
+    turned(mechanism, q) < UPRIGHT
+}
+
+/// By how much the platform is turned from home, radians.
+fn turned(mechanism: &Mechanism, q: &[f64]) -> f64 {
     let poses = mechanism.generic().poses(q);
-    poses[0].rotation_distance(&mechanism.home()) < 1e-9
+    poses[0].rotation_distance(&mechanism.home())
 }
 
 /// The actuators' values a part of the way to where a drive ends.

@@ -60,6 +60,32 @@ impl<const N: usize, const K: usize> Postures<N, K> {
         }
     }
 
+    /// Ends the solutions for a place, which are the last ones: where some chain has none there, those
+    /// of the others combine with nothing, and leave their room to those for other places.
+    ///
+    /// ```
+    /// use kin_runtime::Postures;
+    /// let mut postures = Postures::<2, 2>::new([[0, 1], [1, 2]]);
+    /// for place in 0..3 {
+    ///     (0..8).for_each(|x| postures.push(0, place, &[f64::from(x)]));
+    ///     if place == 2 {
+    ///         postures.push(1, place, &[0.5]);
+    ///     }
+    ///     postures.end_place(place);
+    /// }
+    /// assert_eq!(postures.len(), 8);
+    /// ```
+    pub fn end_place(&mut self, place: u8) {
+        if self.in_place(place) > 0 {
+            return;
+        }
+        for (count, places) in self.counts.iter_mut().zip(&self.places) {
+            while *count > 0 && places[*count - 1] == place {
+                *count -= 1;
+            }
+        }
+    }
+
     /// The solutions of one chain: the values of its joints.
     pub fn of_chain(&self, chain: usize) -> impl Iterator<Item = &[f64]> {
         let [first, end] = self.chains[chain];

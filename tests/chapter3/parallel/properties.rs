@@ -1,6 +1,6 @@
 //! What holds for every mechanism, generated beside generic.
 
-use super::{CLOSED, Delta, FiveBar, FourBar, SliderCrank, Stewart, generic, same};
+use super::{CLOSED, Delta, FiveBar, FourBar, Led, SliderCrank, Stewart, generic, same};
 use crate::chapter3::random::Random;
 use kinematics::ParallelKinematics;
 
@@ -142,6 +142,11 @@ fn rates_close_the_loops<P, const N: usize, const M: usize, const K: usize>(
 #[test]
 fn four_bar() {
     check(&FourBar, "../robots/four_bar.yaml", 3.0);
+}
+
+#[test]
+fn led() {
+    check(&Led, "robots/led.yaml", 0.4);
 }
 
 #[test]

@@ -298,7 +298,7 @@ fn seeded(compiled: &CompiledMechanism, aim: Aim, legs: &[LegForm]) -> String {
             asks("place", "target")
                 .iter()
                 .for_each(|ask| out += &format!("        {ask}"));
-            out += "    }\n";
+            out += "        kin_end_place(postures, place);\n    }\n";
         }
     }
     out + "    return kin_count(postures);\n}\n\n"

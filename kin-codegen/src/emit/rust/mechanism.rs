@@ -291,6 +291,7 @@ fn ik(compiled: &CompiledMechanism, Sizes { n, k, .. }: &Sizes) -> Option<TokenS
                     postures.push(#lead, #place, &lead.q);
                     let target = &arms::#name.fk(&lead.q);
                     #others
+                    postures.end_place(#place);
                 }
             }
         }

@@ -36,6 +36,21 @@ static int kin_all_in_place(const kin_postures *postures, int place)
     return here;
 }
 
+/* Ends the solutions for a place, which are the last ones: where some chain has none there, those of
+ * the others combine with nothing, and leave their room to those for other places. */
+static inline void kin_end_place(kin_postures *postures, int place)
+{
+    if (kin_all_in_place(postures, place) > 0) {
+        return;
+    }
+    for (int chain = 0; chain < KIN_CHAINS; ++chain) {
+        int *count = &postures->counts[chain];
+        while (*count > 0 && postures->places[chain][*count - 1] == place) {
+            --*count;
+        }
+    }
+}
+
 int kin_count(const kin_postures *postures)
 {
     int count = 0;
