@@ -1,9 +1,9 @@
 //! The scalar that a robot is computed in, and what depends on its digits.
 
-use kin_runtime::__private::free_angle;
+use kin_runtime::__private::free_joint::{FreeJoint, Levels};
 use kin_runtime::__private::tolerance as double;
 use kin_runtime::Pose;
-use kin_runtime::single::__private::free_angle as free_angle_in_single;
+use kin_runtime::single::__private::free_joint as free_joint_in_single;
 use kin_runtime::single::__private::tolerance as single;
 use std::fmt;
 
@@ -105,23 +105,20 @@ impl Scalar {
         }
     }
 
-    /// The turn of a free angle that leaves a later root the most room, radians, by its levels; see
-    /// [`kin_runtime::__private::free_angle::Levels`].
-    pub fn roomiest_turn(self, levels: [f64; 4]) -> f64 {
+    /// The turn of a free joint that leaves a later root the most room, radians, by its levels; see
+    /// [`kin_runtime::__private::free_joint::Levels`].
+    pub fn roomiest_turn(self, levels: [f64; 4], joint: FreeJoint) -> f64 {
         match self {
-            Scalar::F64 => free_angle::Levels::new(levels).roomiest(),
-            Scalar::F32 => free_angle_in_single::Levels::new(levels.map(|x| x as f32))
-                .roomiest()
-                .into(),
+            Scalar::F64 => Levels::new(levels, joint).roomiest(),
+            Scalar::F32 => in_single(levels, joint).roomiest().into(),
         }
     }
 
     /// Whether these tell the level at a turn too, as there.
-    pub fn levels_tell(self, levels: [f64; 4], turn: f64, level: f64) -> bool {
+    pub fn levels_tell(self, levels: [f64; 4], joint: FreeJoint, turn: f64, level: f64) -> bool {
         match self {
-            Scalar::F64 => free_angle::Levels::new(levels).tell(turn, level),
-            Scalar::F32 => free_angle_in_single::Levels::new(levels.map(|x| x as f32))
-                .tell(turn as f32, level as f32),
+            Scalar::F64 => Levels::new(levels, joint).tell(turn, level),
+            Scalar::F32 => in_single(levels, joint).tell(turn as f32, level as f32),
         }
     }
 
@@ -141,4 +138,12 @@ impl fmt::Display for Scalar {
             Scalar::F32 => "f32",
         })
     }
+}
+
+fn in_single(levels: [f64; 4], joint: FreeJoint) -> free_joint_in_single::Levels {
+    let joint = free_joint_in_single::FreeJoint {
+        coordinate: joint.coordinate,
+        slide: joint.slide.map(|slide| slide as f32),
+    };
+    free_joint_in_single::Levels::new(levels.map(|x| x as f32), joint)
 }

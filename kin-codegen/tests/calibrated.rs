@@ -6,7 +6,7 @@ mod measured;
 use kin_codegen::Scalar;
 use kin_codegen::certificate::recovered;
 use kin_codegen::closed_form::{BranchSolution, ClosedForm, Reading, Refinement};
-use kin_codegen::expr::inverse::FreeAngles;
+use kin_codegen::expr::inverse::FreeJoints;
 use kin_codegen::geometry::{Linkage, conditioning, idealize, size};
 use kin_codegen::model::Model;
 use kin_codegen::plan::{Plans, Target};
@@ -125,7 +125,7 @@ fn all_plans_about_a_remote_centre_tell_solutions() {
     let target = model.chain().fk(&[0.4, -0.7, 0.11, 1.3, 0.6, -0.9]);
     let mut plans = 0;
     for plan in Plans::new(&linkage, Target::Pose).take(40) {
-        let form = reading.form(&plan, FreeAngles::Seeded);
+        let form = reading.form(&plan, FreeJoints::Seeded);
         let branches = form.branches_at(&target, &[]);
         assert!(branches.iter().any(|branch| !branch.singular), "{plan}");
         plans += 1;

@@ -3,7 +3,7 @@
 
 use kin_codegen::certificate::{Certificate, Failure, Trials, certify};
 use kin_codegen::closed_form::{ClosedForm, Inverse, Reading, Refinement};
-use kin_codegen::expr::inverse::{FreeAngles, InverseGraph};
+use kin_codegen::expr::inverse::{FreeJoints, InverseGraph};
 use kin_codegen::expr::{Choice, Expr, Node, Tape};
 use kin_codegen::geometry::{Linkage, idealize, natural_target};
 use kin_codegen::model::Model;
@@ -50,7 +50,7 @@ impl Arm {
         let plan = Plans::new(&reading.linkage, self.target)
             .find(wanted)
             .unwrap();
-        reading.form(&plan, FreeAngles::Seeded)
+        reading.form(&plan, FreeJoints::Seeded)
     }
 }
 

@@ -137,3 +137,22 @@ fn c_of_a_mechanism() {
         ["slider_crank.h", "slider_crank.c"],
     );
 }
+
+/// What documentation alone names is not imported.
+#[test]
+fn links_in_documentation_do_not_need_imports() {
+    let folder = std::fs::read_dir(root().join("tests/golden")).unwrap();
+    let files = folder.map(|file| file.unwrap().path());
+    let rust: Vec<PathBuf> = files
+        .filter(|path| path.extension().is_some_and(|it| it == "rs"))
+        .collect();
+    assert!(rust.len() > 5);
+    for path in rust {
+        let text = std::fs::read_to_string(&path).unwrap();
+        for (at, _) in text.match_indices("[`") {
+            let (link, rest) = text[at..].split_once(']').unwrap();
+            let resolves = link.starts_with("[`Self::") || rest.starts_with("(::kinematics");
+            assert!(resolves, "{}: {link}]", path.display());
+        }
+    }
+}

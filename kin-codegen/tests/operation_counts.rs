@@ -56,7 +56,7 @@ fn universal_robots() {
 /// The angle that a stretched wrist leaves free costs a branch of inverse
 /// kinematics two comparisons; what it turns to is found when it is free.
 #[test]
-fn a_free_angle_costs_regular_targets_two_selections() {
+fn a_free_joint_costs_regular_targets_two_selections() {
     for file in ["ur5e.urdf", "ur10e.yaml"] {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots");
         let source = Source::read(file, &root).unwrap();
@@ -66,11 +66,11 @@ fn a_free_angle_costs_regular_targets_two_selections() {
         let [with, without] = [true, false].map(|kept| {
             let mut inverse = inverse.clone();
             if !kept {
-                inverse.free_angles.clear();
+                inverse.free_joints.clear();
             }
             inverse.graph.operations(&inverse.outputs())
         });
-        assert_eq!(inverse.free_angles.len(), 1);
+        assert_eq!(inverse.free_joints.len(), 1);
         let selections = without.selections + 2;
         assert_eq!(
             with,

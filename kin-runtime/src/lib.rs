@@ -107,7 +107,7 @@ pub mod __private {
     pub use crate::generated::forward::{
         BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
     };
-    pub use crate::generated::free_angle::{self, FREE_BELOW};
+    pub use crate::generated::free_joint::{self, FREE_BELOW, FreeJoint};
     pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use crate::generated::lanes;
     pub use crate::generated::locked::Locked;

@@ -24,7 +24,7 @@ impl Robot {
             .unwrap_or_default()
     }
 
-    /// The same; an angle that a singular target leaves free keeps its value in `seed`, so that
+    /// The same; a joint that a singular target leaves free keeps its value in `seed`, so that
     /// solutions along a path are continuous.
     pub fn ik_seeded(&self, pose: &Pose, seed: &[f64]) -> Answers {
         self.check(seed);
@@ -60,7 +60,7 @@ impl Robot {
     }
 
     /// The solution that moves the joints least from `seed`, inside the limits and with full
-    /// turns where these lead there; an angle that a singular target leaves free keeps its value
+    /// turns where these lead there; a joint that a singular target leaves free keeps its value
     /// in `seed`. None if there is none.
     pub fn ik_nearest(&self, pose: &Pose, seed: &[f64]) -> Option<BranchSolution> {
         self.check(seed);
@@ -171,7 +171,7 @@ impl Robot {
         .unwrap_or_default()
     }
 
-    /// The same; an angle that a singular target leaves free keeps its value in `seed` (radians,
+    /// The same; a joint that a singular target leaves free keeps its value in `seed` (radians,
     /// metres).
     ///
     /// # Panics

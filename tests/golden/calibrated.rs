@@ -22,8 +22,8 @@ mod __Calibrated {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Elimination, Forward, Frames,
-        GeometricJacobian, Inverse, Lanes, SinCos, Univariate, aligned, evaluate, lanes,
-        math, widen,
+        FreeJoint, GeometricJacobian, Inverse, Lanes, SinCos, Univariate, aligned,
+        evaluate, lanes, math, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -478,7 +478,7 @@ mod __Calibrated {
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
-        /// of each family of solutions, with zero for an angle that is free.
+        /// of each family of solutions, with zero for a joint that is free.
         ///
         /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.1e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
@@ -488,7 +488,7 @@ mod __Calibrated {
             self.ik_seeded(pose, &[0.0; 6])
         }
 
-        /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+        /// As [`Self::ik`]; a joint that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
         /// continuous; that of a joint whose seed is not finite is 0. The
         /// solutions of other targets do not depend on it.
@@ -524,8 +524,8 @@ mod __Calibrated {
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
-        /// the limits of the arm and with full turns where these lead there; an
-        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// the limits of the arm and with full turns where these lead there; a
+        /// joint that a singular target leaves free keeps its value in `seed`.
         /// None if there is none.
         #[must_use]
         pub fn ik_nearest(
@@ -538,7 +538,7 @@ mod __Calibrated {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`]. None if there is none.
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,
@@ -1370,7 +1370,7 @@ mod __Calibrated {
     impl Inverse<6, 8, 0, 4, 0> for Calibrated {
         const ACCEPT: Acceptance = Calibrated::ACCEPT;
         const WIDTH: usize = 4;
-        const FREE: [usize; 0] = [];
+        const FREE: [FreeJoint; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 4] {
             let _ = (seed, locked);
@@ -1391,7 +1391,7 @@ mod __Calibrated {
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
             );
-            // The seed, for an angle that the target leaves free
+            // The seed, for a joint that the target leaves free
             let t1 = seed[1] + 1.5707023922013317;
             let ([t2, t3, t4, t5], [t6, t7, t8, t9]) = sin_cos
                 .of([seed[4], seed[5], seed[0], t1]);

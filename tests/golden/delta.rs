@@ -83,8 +83,8 @@ mod __Delta {
     #[allow(dead_code, reason = "it does not ask them for all that an arm can do")]
     mod arms {
         use ::kinematics::__private::{
-            Acceptance, Arithmetic, Branches, Inverse, Lanes, SinCos, aligned, lanes,
-            math, solve,
+            Acceptance, Arithmetic, Branches, FreeJoint, Inverse, Lanes, SinCos, aligned,
+            lanes, math, solve,
         };
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
@@ -278,7 +278,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
@@ -294,7 +294,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -337,7 +337,7 @@ mod __Delta {
         impl Inverse<3, 4, 0, 2, 0> for Head1 {
             const ACCEPT: Acceptance = Head1::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -356,7 +356,7 @@ mod __Delta {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
-                // The seed, for an angle that the target leaves free
+                // The seed, for a joint that the target leaves free
                 let t1 = seed[1] - 2.0014839778199303;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 aligned!(
@@ -596,7 +596,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
@@ -612,7 +612,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -655,7 +655,7 @@ mod __Delta {
         impl Inverse<2, 1, 0, 0, 0> for Tail1 {
             const ACCEPT: Acceptance = Tail1::ACCEPT;
             const WIDTH: usize = 1;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);
@@ -1034,7 +1034,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
@@ -1050,7 +1050,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -1093,7 +1093,7 @@ mod __Delta {
         impl Inverse<3, 4, 0, 2, 0> for Head2 {
             const ACCEPT: Acceptance = Head2::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -1112,7 +1112,7 @@ mod __Delta {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
-                // The seed, for an angle that the target leaves free
+                // The seed, for a joint that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 aligned!(
@@ -1373,7 +1373,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
@@ -1389,7 +1389,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -1432,7 +1432,7 @@ mod __Delta {
         impl Inverse<2, 1, 0, 0, 0> for Tail2 {
             const ACCEPT: Acceptance = Tail2::ACCEPT;
             const WIDTH: usize = 1;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);
@@ -1872,7 +1872,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// Solutions reach the position to 3.4e-10 m.
             ///
@@ -1888,7 +1888,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -1931,7 +1931,7 @@ mod __Delta {
         impl Inverse<3, 4, 0, 2, 0> for Head3 {
             const ACCEPT: Acceptance = Head3::ACCEPT;
             const WIDTH: usize = 4;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 3], locked: &[f64; 0]) -> [f64; 2] {
                 let _ = (seed, locked);
@@ -1950,7 +1950,7 @@ mod __Delta {
                 let _ = locked;
                 let _ = free;
                 let [_, _, _, _, _, _, _, _, _, px, py, pz] = lanes::entries(targets);
-                // The seed, for an angle that the target leaves free
+                // The seed, for a joint that the target leaves free
                 let t1 = seed[1] - 0.4306876510250337;
                 let ([t2, t3], [t4, t5]) = sin_cos.of([seed[0], t1]);
                 aligned!(
@@ -2211,7 +2211,7 @@ mod __Delta {
             /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
             /// of reach has no solutions, and neither has one of which an entry
             /// that is read is not finite. A singular target has a representative
-            /// of each family of solutions, with zero for an angle that is free.
+            /// of each family of solutions, with zero for a joint that is free.
             ///
             /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.0e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
             ///
@@ -2227,7 +2227,7 @@ mod __Delta {
                 )
             }
 
-            /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+            /// As [`Self::ik`]; a joint that a singular target leaves free keeps
             /// its value in `seed` (radians), so that solutions along a path are
             /// continuous; that of a joint whose seed is not finite is 0. The
             /// solutions of other targets do not depend on it.
@@ -2270,7 +2270,7 @@ mod __Delta {
         impl Inverse<2, 1, 0, 0, 0> for Tail3 {
             const ACCEPT: Acceptance = Tail3::ACCEPT;
             const WIDTH: usize = 1;
-            const FREE: [usize; 0] = [];
+            const FREE: [FreeJoint; 0] = [];
             #[inline(always)]
             fn angles(seed: &[f64; 2], locked: &[f64; 0]) -> [f64; 0] {
                 let _ = (seed, locked);

@@ -21,7 +21,7 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, Fused,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint, Fused,
         GeometricJacobian, Inverse, Lanes, Locked, SinCos, aligned, evaluate, lanes,
         math, widen,
     };
@@ -223,7 +223,7 @@ mod __Panda {
         /// Angles are in (−π, π]; limits are not applied, see
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
-        /// entry is not finite. [`Solution::singular`] is about the Jacobian of the joints
+        /// entry is not finite. [`Solution::singular`](::kinematics::Solution::singular) is about the Jacobian of the joints
         /// that are solved for.
         ///
         /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 9.9e-10 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
@@ -234,7 +234,7 @@ mod __Panda {
             self.ik_seeded_at(pose, parameter, &[0.0; 7])
         }
 
-        /// As [`Self::ik_at`]; an angle that a singular target leaves free keeps its value in `seed` (radians).
+        /// As [`Self::ik_at`]; a joint that a singular target leaves free keeps its value in `seed` (radians).
         #[must_use]
         pub fn ik_seeded_at(
             &self,
@@ -738,7 +738,7 @@ mod __Panda {
     impl Inverse<6, 8, 1, 4, 0> for Panda {
         const ACCEPT: Acceptance = Panda::ACCEPT;
         const WIDTH: usize = 4;
-        const FREE: [usize; 0] = [];
+        const FREE: [FreeJoint; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 1]) -> [f64; 4] {
             let _ = (seed, locked);
@@ -757,7 +757,7 @@ mod __Panda {
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
             );
-            // What is given beside the target; the seed, for an angle that both leave
+            // What is given beside the target; the seed, for a joint that both leave
             // free
             let ([t1, t2, s7, t3], [t4, t5, c7, t6]) = sin_cos
                 .of([seed[4], seed[5], locked[0], seed[0]]);
@@ -1113,7 +1113,7 @@ mod __Panda {
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
             );
-            // What is given beside the target; the seed, for an angle that both leave
+            // What is given beside the target; the seed, for a joint that both leave
             // free
             let ([s7], [c7]) = lanes::sin_cos([parameter]);
             // 1. q4 by SP3, given q7 (what all branches share)

@@ -20,9 +20,9 @@
 mod __Scara {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
-        Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate, lanes, math, solve,
-        solve_nearest,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint,
+        GeometricJacobian, Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate,
+        lanes, math, solve, solve_nearest,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -212,7 +212,7 @@ mod __Scara {
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
-        /// of each family of solutions, with zero for an angle that is free.
+        /// of each family of solutions, with zero for a joint that is free.
         ///
         /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.2e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
@@ -222,7 +222,7 @@ mod __Scara {
             solve(self, pose, &[0.0; 4], &[], |branches| self.sorted(pose, &branches))
         }
 
-        /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+        /// As [`Self::ik`]; a joint that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
         /// continuous; that of a joint whose seed is not finite is 0. The
         /// solutions of other targets do not depend on it.
@@ -257,8 +257,8 @@ mod __Scara {
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
-        /// the limits of the arm and with full turns where these lead there; an
-        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// the limits of the arm and with full turns where these lead there; a
+        /// joint that a singular target leaves free keeps its value in `seed`.
         /// None if there is none.
         #[must_use]
         pub fn ik_nearest(
@@ -278,7 +278,7 @@ mod __Scara {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`]. None if there is none.
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,
@@ -475,7 +475,7 @@ mod __Scara {
     impl Inverse<4, 2, 0, 1, 0> for Scara {
         const ACCEPT: Acceptance = Scara::ACCEPT;
         const WIDTH: usize = 2;
-        const FREE: [usize; 0] = [];
+        const FREE: [FreeJoint; 0] = [];
         #[inline(always)]
         fn angles(seed: &[f64; 4], locked: &[f64; 0]) -> [f64; 1] {
             let _ = (seed, locked);
@@ -495,7 +495,7 @@ mod __Scara {
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
             );
-            // The seed, for an angle that the target leaves free
+            // The seed, for a joint that the target leaves free
             let ([t1], [t2]) = sin_cos.of([seed[2]]);
             aligned!(
                 t3_, t4_, d4_, t12_, t13_, t14_, t16_, c2_, t18_, t19_, t20_, t21_, t22_,

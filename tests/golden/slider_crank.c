@@ -22,6 +22,11 @@
 #error "compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places"
 #endif
 
+#if defined(__clang__) && __clang_major__ >= 11
+/* Clang does not tell of all parts of -ffast-math; of those that are left this one does harm. */
+#pragma clang fp reassociate(off)
+#endif
+
 #if defined(__GNUC__) && !defined(__cplusplus)
 /* No square root here sets errno, which would keep loops from becoming vector instructions. */
 extern double sqrt(double) __attribute__((__const__));
@@ -783,7 +788,7 @@ typedef struct slider_crank_chain0_lanes {
     double residual[2];
     /* Positive where the branch does not exist or repeats another. */
     double invalid[2];
-    /* Positive where a root is double or an angle is free. */
+    /* Positive where a root is double or a joint is free. */
     double singular[2];
 } slider_crank_chain0_lanes;
 
@@ -793,7 +798,7 @@ SLIDER_CRANK_INLINE void slider_crank_chain0_lanes_of(
 {
     (void)free_below;
     (void)given;
-    /* The seed, for an angle that the target leaves free */
+    /* The seed, for a joint that the target leaves free */
     const double angles[1] = {seed[0]};
     double sines[1], cosines[1];
     for (int i = 0; i < 1; ++i) {
@@ -1259,7 +1264,7 @@ typedef struct slider_crank_chain1_lanes {
     double residual[1];
     /* Positive where the branch does not exist or repeats another. */
     double invalid[1];
-    /* Positive where a root is double or an angle is free. */
+    /* Positive where a root is double or a joint is free. */
     double singular[1];
 } slider_crank_chain1_lanes;
 
@@ -1646,7 +1651,7 @@ typedef struct slider_crank_passive_lanes {
     double residual[2];
     /* Positive where the branch does not exist or repeats another. */
     double invalid[2];
-    /* Positive where a root is double or an angle is free. */
+    /* Positive where a root is double or a joint is free. */
     double singular[2];
 } slider_crank_passive_lanes;
 
@@ -1656,7 +1661,7 @@ SLIDER_CRANK_INLINE void slider_crank_passive_lanes_of(
 {
     (void)free_below;
     (void)given;
-    /* The seed, for an angle that the target leaves free */
+    /* The seed, for a joint that the target leaves free */
     const double t1 = seed[0] + 0.06671614841022533;
     const double angles[1] = {t1};
     double sines[1], cosines[1];

@@ -103,7 +103,7 @@ typedef struct slider_crank_postures {
 /* All configurations that hold the platform at a target: how many there are. Limits are not
  * applied. */
 int slider_crank_ik(const double pose[12], slider_crank_postures *postures);
-/* The same; an angle that a singular target leaves free keeps its value in the seed. */
+/* The same; a joint that a singular target leaves free keeps its value in the seed. */
 int slider_crank_ik_seeded(const double pose[12], const double seed[SLIDER_CRANK_JOINTS], slider_crank_postures *postures);
 /* How many configurations there are, and one of them by its number: 1, or 0 if there are fewer. */
 int slider_crank_count(const slider_crank_postures *postures);
@@ -224,10 +224,10 @@ typedef struct slider_crank_chain0_solution {
 /* There are solutions, and none within the limits. */
 #define SLIDER_CRANK_CHAIN0_BEYOND_LIMITS (-3)
 
-/* All solutions of a target, in the order of their branches; of an angle that a singular target
+/* All solutions of a target, in the order of their branches; of a joint that a singular target
  * leaves free the one with zero. How many there are, or why there are none. */
 int slider_crank_chain0_ik(const double pose[12], slider_crank_chain0_solution solutions[SLIDER_CRANK_CHAIN0_MAX_SOLUTIONS]);
-/* The same; a free angle keeps its value in the seed, so that solutions along a path are
+/* The same; a free joint keeps its value in the seed, so that solutions along a path are
  * continuous. */
 int slider_crank_chain0_ik_seeded(
     const double pose[12], const double seed[SLIDER_CRANK_CHAIN0_JOINTS],
@@ -323,10 +323,10 @@ typedef struct slider_crank_chain1_solution {
 /* There are solutions, and none within the limits. */
 #define SLIDER_CRANK_CHAIN1_BEYOND_LIMITS (-3)
 
-/* All solutions of a target, in the order of their branches; of an angle that a singular target
+/* All solutions of a target, in the order of their branches; of a joint that a singular target
  * leaves free the one with zero. How many there are, or why there are none. */
 int slider_crank_chain1_ik(const double pose[12], slider_crank_chain1_solution solutions[SLIDER_CRANK_CHAIN1_MAX_SOLUTIONS]);
-/* The same; a free angle keeps its value in the seed, so that solutions along a path are
+/* The same; a free joint keeps its value in the seed, so that solutions along a path are
  * continuous. */
 int slider_crank_chain1_ik_seeded(
     const double pose[12], const double seed[SLIDER_CRANK_CHAIN1_JOINTS],

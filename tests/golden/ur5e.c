@@ -22,6 +22,11 @@
 #error "compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places"
 #endif
 
+#if defined(__clang__) && __clang_major__ >= 11
+/* Clang does not tell of all parts of -ffast-math; of those that are left this one does harm. */
+#pragma clang fp reassociate(off)
+#endif
+
 #if defined(__GNUC__) && !defined(__cplusplus)
 /* No square root here sets errno, which would keep loops from becoming vector instructions. */
 extern double sqrt(double) __attribute__((__const__));
@@ -206,48 +211,79 @@ UR5E_INLINE double ur5e_angle(double y, double x)
     return ur5e_select(-pi, angle, angle, pi);
 }
 
-/* What a later root says of a free angle at some turns of the seed's, radians: d of its equation
- * a cos x + b sin x = d. Three tell mean + cosine cos x + sine sin x, and the fourth whether d is
- * that. */
+/* What a later root says of a free joint at some turns from the seed's value, radians: d of its
+ * equation a cos x + b sin x = d. Three tell what it is as the function of a turn x,
+ * constant + first cos x + second sin x for an angle and constant + first q + second q q for a slide,
+ * q = x / (pi / 2), and the fourth whether d is that. */
 static const double ur5e_level_turns[4] = {0.0, 1.5707963267948966, 3.141592653589793, 4.0};
 
 /* What the first three tell. */
-typedef struct ur5e_first_harmonic {
-    double mean, cosine, sine;
-} ur5e_first_harmonic;
+typedef struct ur5e_level_function {
+    double constant, first, second;
+} ur5e_level_function;
 
-static ur5e_first_harmonic ur5e_first_harmonic_of(const double levels[4])
+static ur5e_level_function ur5e_level_function_of(const double levels[4], int is_slide)
 {
-    ur5e_first_harmonic of;
-    of.mean = 0.5 * (levels[0] + levels[2]);
-    of.cosine = 0.5 * (levels[0] - levels[2]);
-    of.sine = levels[1] - of.mean;
+    const double mean = 0.5 * (levels[0] + levels[2]);
+    ur5e_level_function of;
+    if (is_slide) {
+        of.constant = levels[0];
+        of.second = mean - levels[1];
+        of.first = 0.5 * (levels[2] - levels[0]) - 2.0 * of.second;
+    } else {
+        of.constant = mean;
+        of.first = 0.5 * (levels[0] - levels[2]);
+        of.second = levels[1] - mean;
+    }
     return of;
 }
 
-/* The turn, radians, that leaves the root the most room. */
-static double ur5e_roomiest_turn(const double levels[4])
+/* Where c + b x + a x x is zero nearest to 0, or if it is nowhere where it is least. */
+static double ur5e_nearest_zero(double c, double b, double a)
 {
-    const ur5e_first_harmonic of = ur5e_first_harmonic_of(levels);
-    const double amplitude = sqrt(of.cosine * of.cosine + of.sine * of.sine);
-    /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
-    const double near_ = ur5e_max(amplitude + of.mean, 0.0);
-    const double far_ = ur5e_max(amplitude - of.mean, 0.0);
-    return ur5e_wrap(ur5e_atan2(of.sine, of.cosine) - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+    const double discriminant = b * b - 4.0 * a * c;
+    double over = -b, below = 2.0 * a;
+    if (!(discriminant < 0.0)) {
+        const double root = sqrt(discriminant);
+        over = -2.0 * c;
+        below = b + (b < 0.0 ? -root : root);
+    }
+    return below == 0.0 ? 0.0 : over / below;
+}
+
+/* The turn, radians, that leaves the root the most room; of two for a slide the nearer one. */
+static double ur5e_roomiest_turn(const double levels[4], int is_slide)
+{
+    const ur5e_level_function of = ur5e_level_function_of(levels, is_slide);
+    if (is_slide) {
+        return 1.5707963267948966 * ur5e_nearest_zero(of.constant, of.first, of.second);
+    } else {
+        const double amplitude = sqrt(of.first * of.first + of.second * of.second);
+        /* constant + first cos x + second sin x = 0, or what comes nearest to it. */
+        const double near_ = ur5e_max(amplitude + of.constant, 0.0);
+        const double far_ = ur5e_max(amplitude - of.constant, 0.0);
+        return ur5e_wrap(ur5e_atan2(of.second, of.first) - 2.0 * ur5e_atan2(sqrt(near_), sqrt(far_)));
+    }
 }
 
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
-static int ur5e_levels_tell(const double levels[4], double turn, double level)
+static int ur5e_levels_tell(const double levels[4], int is_slide, double turn, double level)
 {
-    const ur5e_first_harmonic of = ur5e_first_harmonic_of(levels);
-    const double scale = fabs(of.mean) + fabs(of.cosine) + fabs(of.sine);
+    const ur5e_level_function of = ur5e_level_function_of(levels, is_slide);
     const double known[2][2] = {{ur5e_level_turns[3], levels[3]}, {turn, level}};
     int tell = 1;
     for (int i = 0; i < 2; ++i) {
-        double sine, cosine;
-        ur5e_sin_cos(known[i][0], &sine, &cosine);
+        double first, second, scale;
+        if (is_slide) {
+            first = known[i][0] / 1.5707963267948966;
+            second = first * first;
+        } else {
+            ur5e_sin_cos(known[i][0], &second, &first);
+        }
+        scale = fabs(of.constant) + fabs(of.first) * ur5e_max(fabs(first), 1.0)
+            + fabs(of.second) * ur5e_max(fabs(second), 1.0);
         /* Also where it is no number. */
-        tell &= fabs(of.mean + of.cosine * cosine + of.sine * sine - known[i][1]) <= 1e-9 * scale;
+        tell &= fabs(of.constant + of.first * first + of.second * second - known[i][1]) <= 1e-9 * scale;
     }
     return tell;
 }
@@ -1032,10 +1068,11 @@ static void ur5e_whole(const double solved[UR5E_SOLVED], const double *given, do
     (void)given;
 }
 
-/* The joints whose seeds angles have that singular targets leave free, where their values can leave
- * a later root none. */
+/* The joints that singular targets leave free, where their values can leave a later root none, and
+ * how far slides go while an angle turns by one radian, 0 for angles. */
 #define UR5E_FREE 1
 static const int ur5e_free[UR5E_FREE] = {3};
+static const double ur5e_free_slides[UR5E_FREE] = {0.0};
 
 /* All branches of the plan: lane k is the branch whose i-th choice is + where bit i of k is
  * clear. */
@@ -1044,9 +1081,9 @@ typedef struct ur5e_lanes {
     double residual[8];
     /* Positive where the branch does not exist or repeats another. */
     double invalid[8];
-    /* Positive where a root is double or an angle is free. */
+    /* Positive where a root is double or a joint is free. */
     double singular[8];
-    /* What the roots behind angles that may be free say: their level, and positive where they
+    /* What the roots behind joints that may be free say: their level, and positive where they
      * are none. */
     double level[UR5E_FREE][8];
     double no_root[UR5E_FREE][8];
@@ -1057,7 +1094,7 @@ UR5E_INLINE void ur5e_lanes_of(
     ur5e_lanes *lanes)
 {
     (void)given;
-    /* The seed, for an angle that the target leaves free */
+    /* The seed, for a joint that the target leaves free */
     const double t1 = seed[3] + (seed[1] + seed[2]);
     const double angles[3] = {seed[0], seed[1], t1};
     double sines[3], cosines[3];
@@ -1368,36 +1405,36 @@ static void ur5e_set_lane(ur5e_lanes *lanes, const ur5e_lanes *other, int k)
     lanes->singular[k] = other->singular[k];
 }
 
-/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+/* Whether a joint that is free leaves a root none for which it makes room, but for the one that
  * is left out. */
-static int ur5e_leaves_none(const ur5e_lanes *lanes, int angle, int left_out, int k)
+static int ur5e_leaves_none(const ur5e_lanes *lanes, int joint, int left_out, int k)
 {
     int leaves = 0;
     for (int j = 0; j < UR5E_FREE; ++j) {
-        const int is_asked = ur5e_free[j] == ur5e_free[angle] && j != left_out;
+        const int is_asked = ur5e_free[j] == ur5e_free[joint] && j != left_out;
         leaves |= is_asked && lanes->no_root[j][k] > 0.0;
     }
     return leaves;
 }
 
-/* The lanes with an angle turned where it is free, and the seed that turns it. */
-static void ur5e_turn_by(
-    const double target[12], const double seed[UR5E_SOLVED], const double *given, int angle,
-    double turn, double turned[UR5E_SOLVED], ur5e_lanes *lanes)
+/* The lanes with a joint moved where it is free, and the seed that moves it. */
+static void ur5e_move_by(
+    const double target[12], const double seed[UR5E_SOLVED], const double *given, int joint,
+    double turn, double moved[UR5E_SOLVED], ur5e_lanes *lanes)
 {
     for (int i = 0; i < UR5E_SOLVED; ++i) {
-        turned[i] = seed[i];
+        moved[i] = seed[i];
     }
-    turned[ur5e_free[angle]] += turn;
-    ur5e_compute_lanes(target, turned, given, 1e-16, lanes);
+    moved[ur5e_free[joint]] += (ur5e_free_slides[joint] > 0.0 ? ur5e_free_slides[joint] : 1.0) * turn;
+    ur5e_compute_lanes(target, moved, given, 1e-16, lanes);
 }
 
 /* Takes a turn with its level if that leaves a lane more room than the best one so far. */
 static void ur5e_take_turn(
-    const ur5e_lanes *lanes, int angle, double turn, int k, double *best, double *least, int *has_roots)
+    const ur5e_lanes *lanes, int joint, double turn, int k, double *best, double *least, int *has_roots)
 {
-    const double level = fabs(lanes->level[angle][k]);
-    const int has = !ur5e_leaves_none(lanes, angle, -1, k);
+    const double level = fabs(lanes->level[joint][k]);
+    const int has = !ur5e_leaves_none(lanes, joint, -1, k);
     if (has != *has_roots ? has : level < *least) {
         *best = turn;
         *least = level;
@@ -1405,26 +1442,33 @@ static void ur5e_take_turn(
     }
 }
 
+/* One of 15 turns all round but the seed's own, radians: to both sides, as slides go. */
+static double ur5e_turn_round(int i)
+{
+    const int step = i < 7 ? i - 7 : i - 6;
+    return step * (6.283185307179586 / 16.0);
+}
+
 /* Of turns all round the one that leaves a lane the most room, or if none leaves it any the best next
  * to it. */
 static double ur5e_turn_all_round(
-    const double target[12], const double seed[UR5E_SOLVED], const double *given, int angle,
+    const double target[12], const double seed[UR5E_SOLVED], const double *given, int joint,
     const ur5e_lanes all_round[15], int k)
 {
     /* Beside the best turn, to those through which a parabola tells where the level is least. */
     static const double parabolas[4] = {1e-2, 1e-3, 1e-4, 2e-5};
-    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, turned[UR5E_SOLVED];
+    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, moved[UR5E_SOLVED];
     int has_roots = 0;
     ur5e_lanes lanes;
     for (int i = 0; i < 15; ++i) {
-        ur5e_take_turn(&all_round[i], angle, (i + 1) * step, k, &best, &least, &has_roots);
+        ur5e_take_turn(&all_round[i], joint, ur5e_turn_round(i), k, &best, &least, &has_roots);
     }
     for (int halving = 0; halving < 5 && !has_roots; ++halving) {
         const double from = best;
         step *= 0.5;
         for (int sign = -1; sign <= 1; sign += 2) {
-            ur5e_turn_by(target, seed, given, angle, from + sign * step, turned, &lanes);
-            ur5e_take_turn(&lanes, angle, from + sign * step, k, &best, &least, &has_roots);
+            ur5e_move_by(target, seed, given, joint, from + sign * step, moved, &lanes);
+            ur5e_take_turn(&lanes, joint, from + sign * step, k, &best, &least, &has_roots);
         }
     }
     for (int i = 0; i < 4 && !has_roots; ++i) {
@@ -1432,23 +1476,23 @@ static double ur5e_turn_all_round(
         double beside[2], bend;
         for (int end = 0; end < 2; ++end) {
             const double turn = from + (end == 0 ? -parabolas[i] : parabolas[i]);
-            ur5e_turn_by(target, seed, given, angle, turn, turned, &lanes);
-            beside[end] = fabs(lanes.level[angle][k]);
+            ur5e_move_by(target, seed, given, joint, turn, moved, &lanes);
+            beside[end] = fabs(lanes.level[joint][k]);
         }
         bend = beside[0] + beside[1] - 2.0 * here;
         if (bend > 0.0) {
             const double turn = from + parabolas[i] * 0.5 * (beside[0] - beside[1]) / bend;
-            ur5e_turn_by(target, seed, given, angle, turn, turned, &lanes);
-            ur5e_take_turn(&lanes, angle, turn, k, &best, &least, &has_roots);
+            ur5e_move_by(target, seed, given, joint, turn, moved, &lanes);
+            ur5e_take_turn(&lanes, joint, turn, k, &best, &least, &has_roots);
         }
     }
     return best;
 }
 
-/* The lanes, or the only one, with the angles from the first one turned that are free and leave a
+/* The lanes, or the only one, with the joints from the first one moved that are free and leave a
  * later root none, as `said`: to where that has the most room. Where more than one is free, each
- * turns after those before it. */
-static void ur5e_turn_free_angles(
+ * moves after those before it. */
+static void ur5e_move_free_joints(
     const double target[12], const double seed[UR5E_SOLVED], const double *given,
     const ur5e_lanes *said, int first, int only, ur5e_lanes *lanes)
 {
@@ -1456,41 +1500,40 @@ static void ur5e_turn_free_angles(
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
         open[k] = only < 0 || k == only;
     }
-    for (int angle = first; angle < UR5E_FREE; ++angle) {
-        double samples[4][UR5E_BRANCHES], turned[UR5E_SOLVED];
+    for (int joint = first; joint < UR5E_FREE; ++joint) {
+        double samples[4][UR5E_BRANCHES], moved[UR5E_SOLVED];
         ur5e_lanes best, all_round[15];
         int is_sampled = 0, is_round = 0;
         for (int k = 0; k < UR5E_BRANCHES; ++k) {
             double levels[4], turn;
             int is_as_told;
-            if (!open[k] || !(said->no_root[angle][k] > 0.0)) {
+            if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
             open[k] = 0;
             for (int i = 0; i < 4 && !is_sampled; ++i) {
-                ur5e_turn_by(target, seed, given, angle, ur5e_level_turns[i], turned, &best);
+                ur5e_move_by(target, seed, given, joint, ur5e_level_turns[i], moved, &best);
                 for (int other = 0; other < UR5E_BRANCHES; ++other) {
-                    samples[i][other] = best.level[angle][other];
+                    samples[i][other] = best.level[joint][other];
                 }
             }
             is_sampled = 1;
             for (int i = 0; i < 4; ++i) {
                 levels[i] = samples[i][k];
             }
-            turn = ur5e_roomiest_turn(levels);
-            ur5e_turn_by(target, seed, given, angle, turn, turned, &best);
-            is_as_told = ur5e_levels_tell(levels, turn, best.level[angle][k]);
-            if (ur5e_leaves_none(&best, angle, is_as_told ? angle : -1, k)) {
+            turn = ur5e_roomiest_turn(levels, ur5e_free_slides[joint] > 0.0);
+            ur5e_move_by(target, seed, given, joint, turn, moved, &best);
+            is_as_told = ur5e_levels_tell(levels, ur5e_free_slides[joint] > 0.0, turn, best.level[joint][k]);
+            if (ur5e_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
                 for (int i = 0; i < 15 && !is_round; ++i) {
-                    const double around = (i + 1) * (6.283185307179586 / 16.0);
-                    ur5e_turn_by(target, seed, given, angle, around, turned, &all_round[i]);
+                    ur5e_move_by(target, seed, given, joint, ur5e_turn_round(i), moved, &all_round[i]);
                 }
                 is_round = 1;
-                turn = ur5e_turn_all_round(target, seed, given, angle, all_round, k);
-                ur5e_turn_by(target, seed, given, angle, turn, turned, &best);
+                turn = ur5e_turn_all_round(target, seed, given, joint, all_round, k);
+                ur5e_move_by(target, seed, given, joint, turn, moved, &best);
             }
             ur5e_set_lane(lanes, &best, k);
-            ur5e_turn_free_angles(target, turned, given, &best, angle + 1, k, lanes);
+            ur5e_move_free_joints(target, moved, given, &best, joint + 1, k, lanes);
         }
     }
 }
@@ -1506,7 +1549,7 @@ static void ur5e_compute_branches(
     for (int i = 0; i < UR5E_FREE; ++i) {
         for (int k = 0; k < UR5E_BRANCHES; ++k) {
             if (lanes->no_root[i][k] > 0.0) {
-                ur5e_turn_free_angles(target, seed, given, lanes, 0, -1, lanes);
+                ur5e_move_free_joints(target, seed, given, lanes, 0, -1, lanes);
                 return;
             }
         }

@@ -133,10 +133,10 @@ typedef struct ur5e_solution {
 /* There are solutions, and none within the limits. */
 #define UR5E_BEYOND_LIMITS (-3)
 
-/* All solutions of a target, in the order of their branches; of an angle that a singular target
+/* All solutions of a target, in the order of their branches; of a joint that a singular target
  * leaves free the one with zero. How many there are, or why there are none. */
 int ur5e_ik(const double pose[12], ur5e_solution solutions[UR5E_MAX_SOLUTIONS]);
-/* The same; a free angle keeps its value in the seed, so that solutions along a path are
+/* The same; a free joint keeps its value in the seed, so that solutions along a path are
  * continuous. */
 int ur5e_ik_seeded(
     const double pose[12], const double seed[UR5E_JOINTS],

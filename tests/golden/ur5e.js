@@ -472,70 +472,101 @@ const $why_none = (form, target) => {
     return rotates ? "out of reach" : "not a rotation";
 };
 
-/* What a later root says of a free angle at some turns of the seed's, radians: d of its equation
- * a cos x + b sin x = d. Three tell mean + cosine cos x + sine sin x, and the fourth whether d is
- * that. */
+/* What a later root says of a free joint at some turns from the seed's value, radians: d of its
+ * equation a cos x + b sin x = d. Three tell what it is as the function of a turn x,
+ * constant + first cos x + second sin x for an angle and constant + first q + second q q for a slide,
+ * q = x / (pi / 2), and the fourth whether d is that. */
 const $level_turns = [0.0, 1.5707963267948966, Math.PI, 4.0];
 
 /* What the first three tell. */
-const $harmonics_of = ([here, quarter, half]) => {
+const $told_by = ([here, quarter, half], is_slide) => {
     const mean = 0.5 * (here + half);
-    return [mean, 0.5 * (here - half), quarter - mean];
+    const bend = mean - quarter;
+    return is_slide
+        ? [here, 0.5 * (half - here) - 2.0 * bend, bend]
+        : [mean, 0.5 * (here - half), -bend];
 };
 
-/* The turn, radians, that leaves the root the most room. */
-const $roomiest_turn = (levels) => {
-    const [mean, cosine, sine] = $harmonics_of(levels);
+/* Where c + b x + a x x is zero nearest to 0, or if it is nowhere where it is least. */
+const $nearest_zero = ([c, b, a]) => {
+    const discriminant = b * b - 4.0 * a * c;
+    let [over, below] = [-b, 2.0 * a];
+    if (!(discriminant < 0.0)) {
+        const root = Math.sqrt(discriminant);
+        [over, below] = [-2.0 * c, b + (b < 0.0 ? -root : root)];
+    }
+    return below === 0.0 ? 0.0 : over / below;
+};
+
+/* The turn, radians, that leaves the root the most room; of two for a slide the nearer one. */
+const $roomiest_turn = (levels, is_slide) => {
+    const told = $told_by(levels, is_slide);
+    if (is_slide) {
+        return 1.5707963267948966 * $nearest_zero(told);
+    }
+    const [constant, cosine, sine] = told;
     const amplitude = Math.sqrt(cosine * cosine + sine * sine);
-    /* mean + cosine cos x + sine sin x = 0, or what comes nearest to it. */
-    const near = Math.max(amplitude + mean, 0.0);
-    const far = Math.max(amplitude - mean, 0.0);
+    /* constant + cosine cos x + sine sin x = 0, or what comes nearest to it. */
+    const near = Math.max(amplitude + constant, 0.0);
+    const far = Math.max(amplitude - constant, 0.0);
     return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
-const $levels_tell = (levels, turn, level) => {
-    const [mean, x, y] = $harmonics_of(levels);
-    const scale = Math.abs(mean) + Math.abs(x) + Math.abs(y);
-    /* Also where it is no number. */
-    const is_told = ([turn, level]) => {
+const $levels_tell = (levels, is_slide, turn, level) => {
+    const [constant, x, y] = $told_by(levels, is_slide);
+    const functions_at = (turn) => {
+        if (is_slide) {
+            const quarters = turn / 1.5707963267948966;
+            return [quarters, quarters * quarters];
+        }
         const { sine, cosine } = $sin_cos(turn);
-        return Math.abs(mean + x * cosine + y * sine - level) <= 1e-9 * scale;
+        return [cosine, sine];
+    };
+    const is_told = ([turn, level]) => {
+        const [first, second] = functions_at(turn);
+        const scale = Math.abs(constant) + Math.abs(x) * Math.max(Math.abs(first), 1.0) +
+            Math.abs(y) * Math.max(Math.abs(second), 1.0);
+        /* Also where it is no number. */
+        return Math.abs(constant + x * first + y * second - level) <= 1e-9 * scale;
     };
     return [[$level_turns[3], levels[3]], [turn, level]].every(is_told);
 };
 
-/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+/* Whether a joint that is free leaves a root none for which it makes room, but for the one that
  * is left out. */
-const $leaves_none = (form, lanes, angle, left_out, k) =>
-    form.free_angles.some((coordinate, j) =>
-        coordinate === form.free_angles[angle] && j !== left_out && lanes.no_root[j][k] > 0.0);
+const $leaves_none = (form, lanes, joint, left_out, k) =>
+    form.free_joints.some(({ coordinate }, j) =>
+        coordinate === form.free_joints[joint].coordinate && j !== left_out && lanes.no_root[j][k] > 0.0);
 
-/* The lanes with the angles from the first one turned that are free and leave a later root none, as
- * `said`: to where that has the most room. Where more than one is free, each turns after those before
+/* The lanes with the joints from the first one moved that are free and leave a later root none, as
+ * `said`: to where that has the most room. Where more than one is free, each moves after those before
  * it. */
-const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
-    for (let angle = first; angle < form.free_angles.length; ++angle) {
-        const asked = open.filter((k) => said.no_root[angle][k] > 0.0);
+const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
+    for (let joint = first; joint < form.free_joints.length; ++joint) {
+        const { coordinate, slide } = form.free_joints[joint];
+        const asked = open.filter((k) => said.no_root[joint][k] > 0.0);
         if (asked.length === 0) {
             continue;
         }
         open = open.filter((k) => !asked.includes(k));
-        const turned = (turn) => {
-            const other = seed.map((x, i) => (i === form.free_angles[angle] ? x + turn : x));
+        const moved = (turn) => {
+            const by = (slide ?? 1.0) * turn;
+            const other = seed.map((x, i) => (i === coordinate ? x + by : x));
             return { turn, seed: other, lanes: run(other) };
         };
-        const samples = $level_turns.map(turned);
+        const samples = $level_turns.map(moved);
         let all_round = null;
         for (const k of asked) {
-            const level = (at) => at.lanes.level[angle][k];
+            const level = (at) => at.lanes.level[joint][k];
             const levels = samples.map(level);
-            let best = turned($roomiest_turn(levels));
-            const is_as_told = $levels_tell(levels, best.turn, level(best));
-            if ($leaves_none(form, best.lanes, angle, is_as_told ? angle : -1, k)) {
+            let best = moved($roomiest_turn(levels, slide !== null));
+            const is_as_told = $levels_tell(levels, slide !== null, best.turn, level(best));
+            if ($leaves_none(form, best.lanes, joint, is_as_told ? joint : -1, k)) {
                 let step = 2.0 * Math.PI / 16.0;
-                all_round ??= Array.from({ length: 15 }, (_, i) => turned((i + 1) * step));
-                const has_roots = (at) => !$leaves_none(form, at.lanes, angle, -1, k);
+                /* All but the seed's own, to both sides, as slides go. */
+                all_round ??= Array.from({ length: 15 }, (_, i) => moved((i < 7 ? i - 7 : i - 6) * step));
+                const has_roots = (at) => !$leaves_none(form, at.lanes, joint, -1, k);
                 const is_more = (at, than) => (has_roots(at) === has_roots(than)
                     ? Math.abs(level(at)) < Math.abs(level(than))
                     : has_roots(at));
@@ -543,7 +574,7 @@ const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
                 best = all_round.reduce(better);
                 for (let halving = 0; halving < 5 && !has_roots(best); ++halving) {
                     step *= 0.5;
-                    best = [turned(best.turn - step), turned(best.turn + step)].reduce(better, best);
+                    best = [moved(best.turn - step), moved(best.turn + step)].reduce(better, best);
                 }
                 /* To where a parabola through the turns beside it tells that the level is least. */
                 for (const beside of [1e-2, 1e-3, 1e-4, 2e-5]) {
@@ -551,11 +582,11 @@ const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
                         break;
                     }
                     const [below, here, above] = [-beside, 0.0, beside].map((by) =>
-                        Math.abs(level(by === 0.0 ? best : turned(best.turn + by))));
+                        Math.abs(level(by === 0.0 ? best : moved(best.turn + by))));
                     const bend = below + above - 2.0 * here;
                     if (bend > 0.0) {
                         const ahead = (0.5 * (below - above)) / bend;
-                        best = better(best, turned(best.turn + beside * ahead));
+                        best = better(best, moved(best.turn + beside * ahead));
                     }
                 }
             }
@@ -563,19 +594,19 @@ const $turn_free_angles = (form, run, seed, said, first, open, lanes) => {
             lanes.residual[k] = best.lanes.residual[k];
             lanes.invalid[k] = best.lanes.invalid[k];
             lanes.singular[k] = best.lanes.singular[k];
-            $turn_free_angles(form, run, best.seed, best.lanes, angle + 1, [k], lanes);
+            $move_free_joints(form, run, best.seed, best.lanes, joint + 1, [k], lanes);
         }
     }
 };
 
-/* The lanes, with angles that are free turned where their own values leave a later root none. */
+/* The lanes, with joints that are free moved where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
     /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
     const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
     const lanes = form.lanes(target, seed, given, 1e-24);
     const run = (seed) => form.lanes(target, seed, given, 1e-16);
     const open = Array.from({ length: form.branches }, (_, k) => k);
-    $turn_free_angles(form, run, seed, lanes, 0, open, lanes);
+    $move_free_joints(form, run, seed, lanes, 0, open, lanes);
     return lanes;
 };
 
@@ -869,7 +900,7 @@ return $arm({
         tolerance: 1.3123e-9,
         taken: 1.3123e-9,
         nearly: 1.3123e-5,
-        free_angles: [3],
+        free_joints: [{ coordinate: 3, slide: null }],
         counts_translation: true,
         counts_rotation: true,
         counts_axis: false,
@@ -883,7 +914,7 @@ return $arm({
                 residual: new Float64Array(8), invalid: new Float64Array(8), singular: new Float64Array(8),
                 level: Array.from({ length: 1 }, () => new Float64Array(8)), no_root: Array.from({ length: 1 }, () => new Float64Array(8)),
             };
-            /* The seed, for an angle that the target leaves free */
+            /* The seed, for a joint that the target leaves free */
             const t1 = seed[3] + (seed[1] + seed[2]);
             const { sine: t2, cosine: t5 } = $sin_cos(seed[0]);
             const { sine: t3, cosine: t6 } = $sin_cos(seed[1]);

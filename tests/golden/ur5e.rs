@@ -21,9 +21,9 @@
 mod __Ur5e {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, GeometricJacobian,
-        Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate, lanes, math, solve,
-        solve_nearest, widen,
+        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint,
+        GeometricJacobian, Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate,
+        lanes, math, solve, solve_nearest, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -262,7 +262,7 @@ mod __Ur5e {
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
-        /// of each family of solutions, with zero for an angle that is free.
+        /// of each family of solutions, with zero for a joint that is free.
         ///
         /// The rotation of `pose` is taken as it is: a solution's pose differs from it by at most 1.3e-9 m, radians counted at the distance of the arm's size. A matrix that is no rotation to that accuracy has no solutions, in reach or not: [`Pose::rotation_error`](::kinematics::Pose::rotation_error) tells, and [`Pose::orthonormalized`](::kinematics::Pose::orthonormalized) mends rounded ones.
         ///
@@ -272,7 +272,7 @@ mod __Ur5e {
             solve(self, pose, &[0.0; 6], &[], |branches| self.sorted(pose, &branches))
         }
 
-        /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+        /// As [`Self::ik`]; a joint that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
         /// continuous; that of a joint whose seed is not finite is 0. The
         /// solutions of other targets do not depend on it.
@@ -307,8 +307,8 @@ mod __Ur5e {
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
-        /// the limits of the arm and with full turns where these lead there; an
-        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// the limits of the arm and with full turns where these lead there; a
+        /// joint that a singular target leaves free keeps its value in `seed`.
         /// None if there is none.
         #[must_use]
         pub fn ik_nearest(
@@ -328,7 +328,7 @@ mod __Ur5e {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`]. None if there is none.
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,
@@ -771,7 +771,13 @@ mod __Ur5e {
     impl Inverse<6, 8, 0, 3, 1> for Ur5e {
         const ACCEPT: Acceptance = Ur5e::ACCEPT;
         const WIDTH: usize = 8;
-        const FREE: [usize; 1] = [3];
+        const FREE: [FreeJoint; 1] = [
+            FreeJoint {
+                coordinate: 3,
+                slide: None,
+            },
+        ];
+
         #[inline(always)]
         fn angles(seed: &[f64; 6], locked: &[f64; 0]) -> [f64; 3] {
             let _ = (seed, locked);
@@ -791,7 +797,7 @@ mod __Ur5e {
             let [r11, r12, r13, r21, r22, r23, r31, r32, r33, px, py, pz] = lanes::entries(
                 targets,
             );
-            // The seed, for an angle that the target leaves free
+            // The seed, for a joint that the target leaves free
             let t1 = seed[3] + (seed[1] + seed[2]);
             let ([t2, t3, t4], [t5, t6, t7]) = sin_cos.of([seed[0], seed[1], t1]);
             aligned!(

@@ -561,7 +561,7 @@ mod __Xarm6 {
 
         /// All joint values that put the tip at `pose` in the base frame, metres.
         ///
-        /// A general arm has up to sixteen solutions. They come in the order of q6, those of singular targets last, and [`Solution::branch`] is their place: it changes where two solutions meet.
+        /// A general arm has up to sixteen solutions. They come in the order of q6, those of singular targets last, and [`Solution::branch`](::kinematics::Solution::branch) is their place: it changes where two solutions meet.
         ///
         /// Angles are in (−π, π]; limits are not applied, see
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
@@ -592,8 +592,8 @@ mod __Xarm6 {
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
-        /// the limits of the arm and with full turns where these lead there; an
-        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// the limits of the arm and with full turns where these lead there; a
+        /// joint that a singular target leaves free keeps its value in `seed`.
         /// None if there is none.
         #[must_use]
         pub fn ik_nearest(
@@ -606,7 +606,7 @@ mod __Xarm6 {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`]. None if there is none.
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
         #[must_use]
         pub fn ik_nearest_by(
             &self,

@@ -114,6 +114,9 @@ impl Subject {
         if asked.path == targets::UPRIGHT {
             targets.push(reproducibly(|| targets::upright(&rust)));
         }
+        if asked.path == targets::ALONG_RAIL {
+            targets.extend(reproducibly(|| targets::along_rail(&rust)));
+        }
         if asked.path == targets::OVER_THE_BASE {
             targets.extend(reproducibly(|| targets::over_the_base(&rust)));
         }

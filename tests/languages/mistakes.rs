@@ -127,7 +127,7 @@ const OF_GIVEN_IN_JS: [[&str; 2]; 3] = [
 
 /// The same of what turns angles that are free. Where more is tried than needed, as much is found.
 const OF_TURNING: [[&str; 2]; 5] = [
-    ["== mistaken_free[angle]", "!= mistaken_free[angle]"],
+    ["== mistaken_free[joint]", "!= mistaken_free[joint]"],
     [
         "(has != *has_roots ? has :",
         "(has != *has_roots ? *has_roots :",
@@ -137,14 +137,47 @@ const OF_TURNING: [[&str; 2]; 5] = [
     ["<= 1e-9 * scale", "<= 1e9 * scale"],
 ];
 
+/// The same of what moves slides that are free.
+const OF_SLIDES: [[&str; 2]; 5] = [
+    [
+        "? mistaken_free_slides[joint] : 1.0)",
+        "? 1.0 : mistaken_free_slides[joint])",
+    ],
+    [
+        "0.5 * (levels[2] - levels[0]) - 2.0",
+        "0.5 * (levels[2] - levels[0]) + 2.0",
+    ],
+    ["4.0 * a * c", "2.0 * a * c"],
+    ["double over = -b", "double over = b"],
+    [
+        "b + (b < 0.0 ? -root : root)",
+        "b + (b < 0.0 ? root : -root)",
+    ],
+];
+
+/// The same in JavaScript.
+const OF_SLIDES_IN_JS: [[&str; 2]; 5] = [
+    ["(slide ?? 1.0) * turn", "(slide === null ? turn : 0.0)"],
+    [
+        "0.5 * (half - here) - 2.0 * bend",
+        "0.5 * (half - here) + 2.0 * bend",
+    ],
+    ["4.0 * a * c", "2.0 * a * c"],
+    ["let [over, below] = [-b", "let [over, below] = [b"],
+    [
+        "b + (b < 0.0 ? -root : root)",
+        "b + (b < 0.0 ? root : -root)",
+    ],
+];
+
 /// The same where only one turn leaves a root, in either language.
 const OF_PARABOLAS: [[&str; 2]; 1] = [["bend > 0.0", "bend < 0.0"]];
 
 /// The same in JavaScript.
 const OF_TURNING_IN_JS: [[&str; 2]; 4] = [
     [
-        "coordinate === form.free_angles[angle]",
-        "coordinate !== form.free_angles[angle]",
+        "coordinate === form.free_joints[joint]",
+        "coordinate !== form.free_joints[joint]",
     ],
     [
         "            : has_roots(at));",
@@ -316,6 +349,12 @@ fn mistakes_of_turning_are_found() {
 }
 
 #[test]
+fn mistakes_of_slides_are_found() {
+    let asked = Asked::of(targets::ALONG_RAIL, Options::default());
+    each_of_is_found("mistakes_of_slides", &asked, &OF_SLIDES);
+}
+
+#[test]
 fn mistakes_of_parabolas_are_found() {
     let asked = Asked::of(targets::UPRIGHT, Options::default());
     each_of_is_found("mistakes_of_parabolas", &asked, &OF_PARABOLAS);
@@ -343,6 +382,7 @@ fn mistakes_of_what_is_given_are_found() {
 fn mistakes_in_javascript_are_found() {
     let of_turning = Asked::of(targets::OVER_THE_BASE, Options::default());
     let of_parabolas = Asked::of(targets::UPRIGHT, Options::default());
+    let of_slides = Asked::of(targets::ALONG_RAIL, Options::default());
     let of_search = Asked {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
@@ -353,6 +393,7 @@ fn mistakes_in_javascript_are_found() {
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_parabolas, &OF_PARABOLAS[..]),
+        (of_slides, &OF_SLIDES_IN_JS[..]),
         (of_search, &OF_SEARCH_IN_JS[..]),
         (of_refinement(), &OF_REFINEMENT_IN_JS[..]),
         (of_design(), &OF_CORRECTION_IN_JS[..]),

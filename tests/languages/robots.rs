@@ -29,6 +29,7 @@ impl Asked {
 
 const BY_DEFAULT: &[&str] = &[
     targets::UPRIGHT,
+    targets::ALONG_RAIL,
     "robots/elbow.yaml",
     "robots/iiwa14.yaml",
     "robots/inverse_elbow.yaml",

@@ -239,3 +239,22 @@ pub fn folded(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
     };
     (0..15).map(|_| target()).collect()
 }
+
+/// The arm of [`along_rail`].
+pub const ALONG_RAIL: &str = "tests/robots/along_rail.yaml";
+
+/// In the plane of its rail, which leaves that free, where the arm does not reach from its middle; the
+/// last ones are too high for any of it.
+pub fn along_rail(robot: &Robot) -> Vec<(Pose, Vec<f64>)> {
+    let mut random = Random::new(71);
+    let mut all = Vec::new();
+    while all.len() < 40 {
+        let mut q: Vec<f64> = (0..6).map(|_| random.angle()).collect();
+        q[0] += 1.2 * q[0].signum();
+        q[1] = [0.0, PI][all.len() % 2];
+        let mut pose = robot.fk(&q);
+        pose.translation[2] += if all.len() < 35 { 0.0 } else { 2.0 };
+        all.push((pose, vec![0.0; 6]));
+    }
+    all
+}

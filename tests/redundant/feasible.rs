@@ -551,7 +551,7 @@ fn branches_that_are_one_for_half_a_turn_are_not_two() {
 /// The wrist of a UR5e stretched at every turn of its tool: an angle is free, and the seed's value
 /// leaves the elbow out of reach.
 #[test]
-fn a_free_angle_that_turns_for_a_later_root_keeps_its_branch() {
+fn a_free_joint_that_turns_for_a_later_root_keeps_its_branch() {
     let robot = Subject::new(crate::Ur5e, "../robots/ur5e.urdf", Target::Pose);
     for (q, count) in [
         ([-PI, 0.0, -0.4691, -0.6149, 0.0, PI / 2.0], 2),

@@ -1,8 +1,10 @@
 //! The one solution that a controller asks for, and why there is none.
 
 use crate::measure::largest;
+use crate::random::Random;
 use crate::subject::Subject;
-use kinematics::{JointLimit, Kinematics, Nearest, NoSolution, Pose};
+use kinematics::{JointLimit, Kinematics, Nearest, NoSolution, Pose, Robot};
+use std::f64::consts::PI;
 
 for_every_robot!(the_nearest_is_that_of_all_solutions);
 for_every_robot!(a_small_step_stays_near);
@@ -196,9 +198,9 @@ fn a_seed_that_is_no_number_loses_no_solution() {
     }
 }
 
-/// Nor one that turns where a free angle at its seed leaves a later step no root.
+/// Nor one that moves where a free joint at its seed leaves a later step no root.
 #[test]
-fn a_free_angle_without_a_seed_turns_too() {
+fn a_free_joint_without_a_seed_turns_too() {
     let arm = crate::zoo::Ur5e;
     let q = [-2.581468, 2.695962, 0.155972, -2.483665, 0.0, 0.979362];
     let target = arm.fk(&q);
@@ -208,5 +210,33 @@ fn a_free_angle_without_a_seed_turns_too() {
         let mut seed = q;
         seed[joint] = f64::NAN;
         assert!(arm.ik_seeded(&target, &seed).len() >= all, "{joint}");
+    }
+}
+
+/// Nor is an arm in the plane of its rail lost, or next to that plane, where it does not reach from the
+/// middle of the rail.
+#[test]
+fn a_free_slide_moves_to_where_the_arm_reaches() {
+    let arm: Robot = include_str!("along_rail.yaml").parse().unwrap();
+    let mut random = Random::new(0x51de);
+    for off in [0.0, 1e-12, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4] {
+        for _ in 0..100 {
+            let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-2.0, 2.0));
+            q[1] = off
+                + if random.between(0.0, 1.0) < 0.5 {
+                    0.0
+                } else {
+                    PI
+                };
+            let target = arm.fk(&q);
+            let solutions = arm.ik(&target);
+            assert!(!solutions.is_empty(), "off by {off:e}: {q:?}");
+            for solution in solutions.iter() {
+                let reached = arm.fk(&solution.q);
+                // A billionth of the arm's size.
+                assert!(reached.translation_distance(&target) < 1.7e-9, "{q:?}");
+                assert!(reached.rotation_distance(&target) < 1e-9, "{q:?}");
+            }
+        }
     }
 }

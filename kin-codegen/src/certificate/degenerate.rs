@@ -17,7 +17,7 @@ use std::rc::Rc;
 /// joints.
 const STARTS: usize = 3;
 /// Where a step degenerates and the arm is singular, so many configurations of its other joints are
-/// tried: an angle that is free may leave later steps a root for some of them alone.
+/// tried: a joint that is free may leave later steps a root for some of them alone.
 const SINGULAR_ONES: usize = 12;
 
 impl Trials<'_> {
@@ -55,13 +55,13 @@ impl Trials<'_> {
         all
     }
 
-    /// Of the angles that may be free those that matter: what their steps divide by vanishes where
+    /// Of the joints that may be free those that matter: what their steps divide by vanishes where
     /// the arm is singular, and a later root depends on them there.
     pub fn turns_that_matter(&self, form: &ClosedForm) -> Vec<Turn> {
         let Some(graph) = form.expressions() else {
             return Vec::new();
         };
-        let turns: Vec<Turn> = graph.free_angles.iter().map(|it| it.turn).collect();
+        let turns: Vec<Turn> = graph.free_joints.iter().map(|it| it.turn).collect();
         let steps: BTreeSet<usize> = turns.iter().map(|turn| turn.step).collect();
         let mut matter = BTreeSet::new();
         for step in steps {

@@ -2,9 +2,9 @@
 
 use super::ClosedForm;
 use crate::expr::Lanes;
-use crate::expr::inverse::{InverseGraph, Turn};
+use crate::expr::inverse::InverseGraph;
 use crate::scalar::Scalar;
-use kin_runtime::__private::free_angle::{Levels, Room, all_round};
+use kin_runtime::__private::free_joint::{FreeJoint, Levels, Room, all_round};
 use kin_runtime::{Pose, Solution, Solutions};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ const SAME_LEVEL: f64 = 1e-9;
 const RESIDUAL: usize = 0;
 const INVALID: usize = 1;
 const SINGULAR: usize = 2;
-/// From here on two by free angle: the level, and whether it leaves no root.
+/// From here on two by free joint: the level, and whether it leaves no root.
 const FREE: usize = 3;
 
 impl ClosedForm {
@@ -113,16 +113,16 @@ impl ClosedForm {
         values
     }
 
-    /// Whether on some branch what a later root says of an angle that a target leaves free depends
+    /// Whether on some branch what a later root says of a joint that a target leaves free depends
     /// on it.
-    pub(crate) fn depends_on(&self, angle: usize, target: &Pose, parameters: &[f64]) -> bool {
+    pub(crate) fn depends_on(&self, joint: usize, target: &Pose, parameters: &[f64]) -> bool {
         let seed = vec![0.0; self.given.variables()];
         let Some(at) = self.question(target, parameters, &seed) else {
             return false;
         };
-        let turned = Levels::TURNS.map(|turn| at.turned_by(turn, angle, &seed).1);
+        let moved = Levels::TURNS.map(|turn| at.moved_by(turn, joint, &seed).1);
         let depends = |branch| {
-            let levels = turned.each_ref().map(|values| values.level(angle, branch));
+            let levels = moved.each_ref().map(|values| values.level(joint, branch));
             let apart = |level: &f64| (level - levels[0]).abs() > SAME_LEVEL * levels[0].abs();
             levels.iter().any(apart)
         };
@@ -142,7 +142,7 @@ impl ClosedForm {
             seed,
             branches: self.plan.branches() as u32,
             scalar: self.linkage.scalar,
-            turned: RefCell::default(),
+            moved: RefCell::default(),
         })
     }
 }
@@ -160,13 +160,13 @@ struct Question<'a> {
     inverse: &'a InverseGraph,
     target: &'a Pose,
     parameters: &'a [f64],
-    /// What free angles keep.
+    /// What free joints keep.
     seed: &'a [f64],
     branches: u32,
     scalar: Scalar,
-    /// What was computed with angles turned, by the bits of the seed that turns them: each of the
+    /// What was computed with joints moved, by the bits of the seed that moves them: each of the
     /// branches asks for the same ones.
-    turned: RefCell<BTreeMap<Vec<u64>, Rc<Values<'a>>>>,
+    moved: RefCell<BTreeMap<Vec<u64>, Rc<Values<'a>>>>,
 }
 
 /// All branches of a plan.
@@ -196,14 +196,14 @@ impl Values<'_> {
         self.joint(self.joints + output, branch)
     }
 
-    /// What a later root says of an angle that may be free.
-    fn level(&self, angle: usize, branch: u32) -> f64 {
-        self.at(FREE + 2 * angle, branch)
+    /// What a later root says of a joint that may be free.
+    fn level(&self, joint: usize, branch: u32) -> f64 {
+        self.at(FREE + 2 * joint, branch)
     }
 
-    /// Whether some of the angles that are free leave a later root none.
-    fn leaves_none(&self, mut angles: impl Iterator<Item = usize>, branch: u32) -> bool {
-        angles.any(|angle| self.at(FREE + 2 * angle + 1, branch) > 0.0)
+    /// Whether some of the joints that are free leave a later root none.
+    fn leaves_none(&self, mut joints: impl Iterator<Item = usize>, branch: u32) -> bool {
+        joints.any(|joint| self.at(FREE + 2 * joint + 1, branch) > 0.0)
     }
 }
 
@@ -218,7 +218,7 @@ pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below
     inputs
 }
 
-/// The branches of several targets side by side, with angles free below a threshold.
+/// The branches of several targets side by side, with joints free below a threshold.
 fn evaluate_each<'a>(all: &[Question<'a>; TARGETS], free_below: f64) -> Vec<Lanes<'a, WIDTH>> {
     let Question {
         inverse, branches, ..
@@ -238,8 +238,8 @@ fn evaluate_each<'a>(all: &[Question<'a>; TARGETS], free_below: f64) -> Vec<Lane
 impl<'a> Question<'a> {
     /// Whether a branch exists, and what it is.
     fn solution<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
-        let turned = self.turned(values, branch, self.seed, 0);
-        let values = turned.as_deref().unwrap_or(values);
+        let moved = self.moved(values, branch, self.seed, 0);
+        let values = moved.as_deref().unwrap_or(values);
         let solution = Solution {
             q: std::array::from_fn(|i| values.joint(i, branch)),
             residual: values.at(RESIDUAL, branch),
@@ -255,58 +255,60 @@ impl<'a> Question<'a> {
             .collect()
     }
 
-    /// The values with angles turned, from the `first` one, that are free and leave a later root of
-    /// a branch none at a seed's value; see [`kin_runtime::__private::free_angle`].
-    fn turned(
+    /// The values with joints moved, from the `first` one, that are free and leave a later root of
+    /// a branch none at a seed's value; see [`kin_runtime::__private::free_joint`].
+    fn moved(
         &self,
         values: &Values,
         branch: u32,
         seed: &[f64],
         first: usize,
     ) -> Option<Rc<Values<'a>>> {
-        let turns: Vec<Turn> = self.inverse.free_angles.iter().map(|it| it.turn).collect();
-        let angle = (first..turns.len()).find(|&i| values.leaves_none(i..=i, branch))?;
-        let level = |turn| self.turned_by(turn, angle, seed).1.level(angle, branch);
+        let free = &self.inverse.free_joints;
+        let moving = (first..free.len()).find(|&i| values.leaves_none(i..=i, branch))?;
+        let joint = free[moving].joint();
+        let level = |turn| self.moved_by(turn, moving, seed).1.level(moving, branch);
         let levels = Levels::TURNS.map(level);
-        let turn = self.scalar.roomiest_turn(levels);
-        let mut best = self.turned_by(turn, angle, seed);
-        let level = best.1.level(angle, branch);
-        let is_as_told = self.scalar.levels_tell(levels, turn, level);
-        let is_of_angle = |&i: &usize| turns[i].coordinate == turns[angle].coordinate;
-        let roots = || (0..turns.len()).filter(is_of_angle);
-        let others = roots().filter(|&i| !(i == angle && is_as_told));
+        let turn = self.scalar.roomiest_turn(levels, joint);
+        let mut best = self.moved_by(turn, moving, seed);
+        let level = best.1.level(moving, branch);
+        let is_as_told = self.scalar.levels_tell(levels, joint, turn, level);
+        let is_of_joint = |&i: &usize| free[i].turn.coordinate == joint.coordinate;
+        let roots = || (0..free.len()).filter(is_of_joint);
+        let others = roots().filter(|&i| !(i == moving && is_as_told));
         if best.1.leaves_none(others, branch) {
             let room = |turn| {
-                let values = self.turned_by(turn, angle, seed).1;
+                let values = self.moved_by(turn, moving, seed).1;
                 Room {
                     turn,
                     has_roots: !values.leaves_none(roots(), branch),
-                    level: values.level(angle, branch).abs(),
+                    level: values.level(moving, branch).abs(),
                 }
             };
             let roomiest = all_round().map(room).fold(Room::NONE, Room::or);
-            best = self.turned_by(roomiest.or_between(room).turn, angle, seed);
+            best = self.moved_by(roomiest.or_between(room).turn, moving, seed);
         }
         let (seed, values) = best;
-        let further = self.turned(&values, branch, &seed, angle + 1);
+        let further = self.moved(&values, branch, &seed, moving + 1);
         Some(further.unwrap_or(values))
     }
 
-    /// The values with an angle turned where it is free, and the seed that turns it.
-    fn turned_by(&self, turn: f64, angle: usize, seed: &[f64]) -> (Vec<f64>, Rc<Values<'a>>) {
+    /// The values with a joint moved where it is free, and the seed that moves it.
+    fn moved_by(&self, turn: f64, joint: usize, seed: &[f64]) -> (Vec<f64>, Rc<Values<'a>>) {
         let mut seed = seed.to_vec();
-        let from = &mut seed[self.inverse.free_angles[angle].turn.coordinate];
+        let FreeJoint { coordinate, slide } = self.inverse.free_joints[joint].joint();
+        let from = &mut seed[coordinate];
         // As in `inputs`.
-        *from = turn + if from.is_finite() { *from } else { 0.0 };
+        *from = slide.unwrap_or(1.0) * turn + if from.is_finite() { *from } else { 0.0 };
         let bits = seed.iter().map(|x| x.to_bits()).collect();
         let nearly_free = self.scalar.tolerances().nearly_free;
         let computed = || Rc::new(self.evaluate_at(&seed, nearly_free));
-        let mut turned = self.turned.borrow_mut();
-        let values = turned.entry(bits).or_insert_with(computed).clone();
+        let mut moved = self.moved.borrow_mut();
+        let values = moved.entry(bits).or_insert_with(computed).clone();
         (seed, values)
     }
 
-    /// The values with angles free below a threshold.
+    /// The values with joints free below a threshold.
     fn evaluate(&self, free_below: f64) -> Values<'a> {
         self.evaluate_at(self.seed, free_below)
     }

@@ -10,7 +10,7 @@ pub use reading::Reading;
 pub(crate) use reading::tip_shift;
 pub use roots::Domain;
 
-use crate::expr::inverse::{FreeAngles, InverseGraph};
+use crate::expr::inverse::{FreeJoints, InverseGraph};
 use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -65,8 +65,8 @@ pub struct ClosedForm {
     pub given: Linkage,
     /// The plan.
     pub plan: Plan,
-    /// What becomes of angles that its singular targets leave free.
-    pub free: FreeAngles,
+    /// What becomes of joints that its singular targets leave free.
+    pub free: FreeJoints,
     /// The plan as it is run.
     pub inverse: Inverse,
     /// How far the idealized arm's tip is from the given one's, metres.
@@ -150,7 +150,7 @@ impl ClosedForm {
                 steps: vec![step],
                 target,
             },
-            free: FreeAngles::Seeded,
+            free: FreeJoints::Seeded,
             inverse: Inverse::Univariate(Box::new(arm)),
             tip_shift: 0.0,
             refinement: Refinement::Correction,
@@ -182,7 +182,7 @@ impl ClosedForm {
         match self.refinement {
             Refinement::Univariate(_) if !self.is_exact() => Completion::Never,
             // That flags all steps that degenerate.
-            Refinement::Univariate(_) if self.free == FreeAngles::Flagged => Completion::Degenerate,
+            Refinement::Univariate(_) if self.free == FreeJoints::Flagged => Completion::Degenerate,
             Refinement::Univariate(_) => Completion::Unanswered,
             _ => Completion::Never,
         }
@@ -242,7 +242,7 @@ impl ClosedForm {
         self.solved_near(target, parameters, None)
     }
 
-    /// The same; an angle that a singular target leaves free keeps its value in `seed`.
+    /// The same; a joint that a singular target leaves free keeps its value in `seed`.
     pub fn solved_near<const N: usize>(
         &self,
         target: &Pose,

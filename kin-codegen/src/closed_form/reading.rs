@@ -1,7 +1,7 @@
 //! An arm with relations read into its axes, and the closed forms of the plans for it.
 
 use super::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::expr::inverse::{DomainMargin, FreeJoints, inverse};
 use crate::geometry::{Idealized, Linkage, Swivel, size};
 use crate::model::{Model, configurations, place};
 use crate::plan::{Plan, Target};
@@ -67,7 +67,7 @@ impl Reading {
     }
 
     /// The closed form by a plan.
-    pub fn form(&self, plan: &Plan, free: FreeAngles) -> ClosedForm {
+    pub fn form(&self, plan: &Plan, free: FreeJoints) -> ClosedForm {
         let margin = match self.is_exact() {
             true => 0.0,
             false => self.tip_shift / self.linkage.size,

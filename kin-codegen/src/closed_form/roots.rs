@@ -92,7 +92,7 @@ impl ClosedForm {
         arm.at(between).eliminant(&carried, which)
     }
 
-    /// What its expressions are computed from, with free angles at 0.
+    /// What its expressions are computed from, with free joints at 0.
     fn inputs(&self, target: &Pose, parameters: &[f64]) -> Vec<f64> {
         let seed = vec![0.0; self.given.variables()];
         inputs(target, &seed, parameters, self.tolerances().free_below)

@@ -33,9 +33,9 @@ pub struct Lanes<L: Language> {
     pub invalid: Output<L::Text>,
     /// Positive where the branch is singular.
     pub singular: Output<L::Text>,
-    /// What later roots say of each angle that may be free: their level, and positive
+    /// What later roots say of each joint that may be free: their level, and positive
     /// where they have none.
-    pub free_angles: Vec<[Output<L::Text>; 2]>,
+    pub free_joints: Vec<[Output<L::Text>; 2]>,
     /// How many lanes there are.
     pub width: usize,
     /// How many lanes much of the arithmetic has.
@@ -214,8 +214,8 @@ pub fn lanes<L: Language>(
         residual: output(inverse.residual),
         invalid: output(inverse.invalid),
         singular: output(inverse.singular),
-        free_angles: inverse
-            .free_angles
+        free_joints: inverse
+            .free_joints
             .iter()
             .map(|free| [free.level, free.no_root].map(output))
             .collect(),
@@ -300,7 +300,7 @@ pub fn is_minus(choice: u8, lane: u32) -> bool {
 /// What stands in front of the sines and cosines of what is given.
 pub fn told_of_angles(solver: &ClosedForm) -> &'static str {
     match solver.given.parameters() {
-        0 => "The seed, for an angle that the target leaves free",
-        _ => "What is given beside the target; the seed, for an angle that both leave free",
+        0 => "The seed, for a joint that the target leaves free",
+        _ => "What is given beside the target; the seed, for a joint that both leave free",
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Found;
 use crate::certificate::Certificate;
-use crate::expr::inverse::{FreeAngles, Turn};
+use crate::expr::inverse::{FreeJoints, Turn};
 use crate::geometry::Swivel;
 use crate::plan::{Atom, Dependence, Invariant, Kind, Plan, Relation, Step, Subproblem};
 use crate::redundancy::{Redundancy, Weighed};
@@ -154,12 +154,12 @@ impl Bytes for Atom {
     }
 }
 
-impl Bytes for FreeAngles {
+impl Bytes for FreeJoints {
     fn write(&self, to: &mut Vec<u8>) {
         let (word, turns) = match self {
-            FreeAngles::Seeded => (0_u8, Vec::new()),
-            FreeAngles::Flagged => (1, Vec::new()),
-            FreeAngles::Turned(turns) => (2, turns.clone()),
+            FreeJoints::Seeded => (0_u8, Vec::new()),
+            FreeJoints::Flagged => (1, Vec::new()),
+            FreeJoints::Moved(turns) => (2, turns.clone()),
         };
         (word, turns).write(to);
     }
@@ -167,15 +167,15 @@ impl Bytes for FreeAngles {
     fn read(from: &mut &[u8]) -> Option<Self> {
         let (word, turns) = <(u8, Vec<Turn>)>::read(from)?;
         Some(match word {
-            0 => FreeAngles::Seeded,
-            1 => FreeAngles::Flagged,
-            2 => FreeAngles::Turned(turns),
+            0 => FreeJoints::Seeded,
+            1 => FreeJoints::Flagged,
+            2 => FreeJoints::Moved(turns),
             _ => return None,
         })
     }
 
     fn layout(to: &mut String) {
-        to.push_str("FreeAngles");
+        to.push_str("FreeJoints");
         <(u8, Vec<Turn>)>::layout(to);
     }
 }

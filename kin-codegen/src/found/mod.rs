@@ -10,7 +10,7 @@ pub(crate) use cache::Entry;
 use crate::certificate::Certificate;
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::Multiplicative;
-use crate::expr::inverse::FreeAngles;
+use crate::expr::inverse::FreeJoints;
 use crate::geometry::{Linkage, idealize, uncoupled};
 use crate::model::Model;
 use crate::plan::{Plan, Step, Subproblem};
@@ -26,7 +26,7 @@ use std::sync::OnceLock;
 pub struct Found {
     /// Of the relations that pose a step, the one that was written.
     plan: Plan,
-    free: FreeAngles,
+    free: FreeJoints,
     /// By which relations were read into the axes.
     tolerance: f64,
     /// What the arm is solved by, or has beside its branches.

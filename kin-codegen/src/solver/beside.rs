@@ -3,7 +3,7 @@
 use super::Certified;
 use crate::certificate::{NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{DomainMargin, FreeAngles, inverse};
+use crate::expr::inverse::{DomainMargin, FreeJoints, inverse};
 use crate::plan::Target;
 use crate::univariate::{self, Kept, MOST};
 
@@ -34,7 +34,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
         ..form.clone()
     };
     if best.certificate.lost > 0 {
-        let (linkage, plan, free) = (&form.linkage, &form.plan, FreeAngles::Flagged);
+        let (linkage, plan, free) = (&form.linkage, &form.plan, FreeJoints::Flagged);
         let flagged = inverse(linkage, plan, DomainMargin(0.0), &free);
         form.inverse = Inverse::Expressions(Box::new(flagged));
         form.free = free;

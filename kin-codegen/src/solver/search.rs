@@ -6,7 +6,7 @@ use super::{
 };
 use crate::certificate::{Failure, Trials, certify};
 use crate::closed_form::{ClosedForm, Reading, Refinement};
-use crate::expr::inverse::{FreeAngles, InverseGraph, Turn, weight};
+use crate::expr::inverse::{FreeJoints, InverseGraph, Turn, weight};
 use crate::geometry::{Idealized, Linkage, NOISIEST, angle};
 use crate::plan::{Plan, Plans, Target};
 use crate::scalar::Scalar;
@@ -21,7 +21,7 @@ const REFINED: usize = 2;
 /// unanswered.
 const CERTIFIED: usize = 8;
 
-/// Plans in a row on an idealized arm, of the ways in which they turn free angles each, that leave as
+/// Plans in a row on an idealized arm, of the ways in which they move free joints each, that leave as
 /// much to the elimination beside them as those before: what they lose is its own, and the next plan
 /// will not find it.
 const IN_VAIN: usize = 12;
@@ -93,7 +93,7 @@ pub(super) fn solve_idealized(
         let Some(plan) = next else {
             break;
         };
-        // To turn a free angle costs operations: not for plans that cost more than one that stands.
+        // To move a free joint costs operations: not for plans that cost more than one that stands.
         let may_turn = !search.stands() || tried < COMPARED;
         if search.is_complete_with(&plan, may_turn) {
             break;
@@ -173,7 +173,7 @@ impl<'a> Search<'a> {
         first: Option<&Plan>,
     ) -> Self {
         let beside = first.filter(|_| !reading.is_exact());
-        let form = |plan| reading.form(plan, FreeAngles::Seeded);
+        let form = |plan| reading.form(plan, FreeJoints::Seeded);
         Self {
             trials,
             reading,
@@ -201,28 +201,28 @@ impl<'a> Search<'a> {
         self.best.as_ref().map(|it| it.certificate.missing())
     }
 
-    /// Tries a plan; tells whether nothing is left to be improved. To turn free angles costs
+    /// Tries a plan; tells whether nothing is left to be improved. To move free joints costs
     /// operations: of plans that cost more than one that stands, only where they lose less.
     fn is_complete_with(&mut self, plan: &Plan, may_turn: bool) -> bool {
         if may_turn {
-            let [matter, all] = self.turned(plan);
-            return self.is_complete_by(plan, [matter, Some(FreeAngles::Seeded), all]);
+            let [matter, all] = self.moved(plan);
+            return self.is_complete_by(plan, [matter, Some(FreeJoints::Seeded), all]);
         }
         let before = self.missing();
-        if self.is_complete_by(plan, [Some(FreeAngles::Seeded)]) {
+        if self.is_complete_by(plan, [Some(FreeJoints::Seeded)]) {
             return true;
         }
         self.missing() < before && {
-            let turned = self.turned(plan);
-            self.is_complete_by(plan, turned)
+            let moved = self.moved(plan);
+            self.is_complete_by(plan, moved)
         }
     }
 
-    /// The same with each of what can become of its free angles.
+    /// The same with each of what can become of its free joints.
     fn is_complete_by(
         &mut self,
         plan: &Plan,
-        ways: impl IntoIterator<Item = Option<FreeAngles>>,
+        ways: impl IntoIterator<Item = Option<FreeJoints>>,
     ) -> bool {
         for free in ways.into_iter().flatten() {
             let form = self.reading.form(plan, free);
@@ -261,19 +261,19 @@ impl<'a> Search<'a> {
         false
     }
 
-    /// The angles turned that singular targets are seen to leave free and on which a later root
+    /// The joints moved that singular targets are seen to leave free and on which a later root
     /// depends, and if there are more all that may be so.
-    fn turned(&self, plan: &Plan) -> [Option<FreeAngles>; 2] {
+    fn moved(&self, plan: &Plan) -> [Option<FreeJoints>; 2] {
         let coordinates = self.reading.linkage.variables();
-        let form = (self.reading).form(plan, FreeAngles::all_turned(plan, coordinates));
+        let form = (self.reading).form(plan, FreeJoints::all_moved(plan, coordinates));
         let matter = self.trials.turns_that_matter(&form);
         let all = form.expressions().into_iter();
-        let all = all.flat_map(|graph| &graph.free_angles);
+        let all = all.flat_map(|graph| &graph.free_joints);
         let mut all: Vec<Turn> = all.map(|it| it.turn).collect();
         if all == matter {
             all.clear();
         }
-        [matter, all].map(|turns| (!turns.is_empty()).then_some(FreeAngles::Turned(turns)))
+        [matter, all].map(|turns| (!turns.is_empty()).then_some(FreeJoints::Moved(turns)))
     }
 
     /// Runs a closed form. What one elimination loses another may find.

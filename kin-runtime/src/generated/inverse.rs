@@ -7,13 +7,13 @@ use super::acceptance::{Acceptance, Completion};
 use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
-use super::free_angle::{FREE_BELOW, FreeAngles, Turning};
+use super::free_joint::{FREE_BELOW, FreeJoint, FreeJoints, Moving};
 use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
 
 /// A closed form with L branches for N joints, of which P more are given, that takes the
-/// sines and cosines of M angles of these and of a seed, with F angles that singular targets may
-/// leave free and that turn then.
+/// sines and cosines of M angles of these and of a seed, with F joints that singular targets may
+/// leave free and that move then.
 pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize, const F: usize> {
     /// What makes a branch a solution.
     const ACCEPT: Acceptance;
@@ -24,14 +24,14 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize
     /// How many branches much of the arithmetic is done for.
     const WIDTH: usize;
 
-    /// The coordinates whose seeds angles have that singular targets leave free, where their
+    /// The joints that singular targets leave free, where their
     /// values can leave a later root none; by root, in the order of the plan.
-    const FREE: [usize; F];
+    const FREE: [FreeJoint; F];
 
     /// The angles whose sines and cosines `lanes` asks for, radians.
     fn angles(seed: &[Real; N], locked: &[Real; P]) -> [Real; M];
 
-    /// The branches of T targets. Angles that are free are at `seed`; vectors whose
+    /// The branches of T targets. Joints that are free are at `seed`; vectors whose
     /// square is below `free` tell no angle; `locked` are the values of the joints
     /// that are given; all in radians and metres. To be `#[inline(always)]`.
     fn lanes<A: Arithmetic, const T: usize>(
@@ -43,7 +43,7 @@ pub trait Inverse<const N: usize, const L: usize, const P: usize, const M: usize
     ) -> Lanes<N, L, T, F>;
 }
 
-/// The branches of T targets; see [`Branches`] and [`FreeAngles`].
+/// The branches of T targets; see [`Branches`] and [`FreeJoints`].
 #[derive(Clone, Copy)]
 pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize> {
     /// By joint, in (−π, π] radians or metres.
@@ -54,14 +54,14 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize>
     pub invalid: [[Real; T]; L],
     /// Positive where a root is double or an angle is free.
     pub singular: [[Real; T]; L],
-    /// d of the equations a cos θ + b sin θ = d of the roots behind free angles.
+    /// d of the equations a cos θ + b sin θ = d of the roots behind free joints.
     pub level: [[[Real; T]; L]; F],
-    /// Positive where an angle is free and its value leaves no real root.
+    /// Positive where a joint is free and its value leaves no real root.
     pub no_root: [[[Real; T]; L]; F],
 }
 
 impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L, T, F> {
-    /// Positive for targets that ask for more: with a free angle that leaves a later root
+    /// Positive for targets that ask for more: with a free joint that leaves a later root
     /// none, a branch that rounding may keep from the target, or solutions that no branch tells.
     #[inline(always)]
     pub(super) fn unsettled(&self, completion: Completion, accept: &Acceptance) -> [Real; T] {
@@ -124,7 +124,7 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
     fn settled(&self, completion: Completion, accept: &Acceptance) -> bool {
-        let asks = self.free_angles().leave_no_root() | self.branches().nearly(accept);
+        let asks = self.free_joints().leave_no_root() | self.branches().nearly(accept);
         match completion {
             Completion::Never => !asks,
             _ => !(asks | self.branches().are_completed(completion, accept)),
@@ -156,8 +156,8 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     }
 
     #[inline(always)]
-    fn free_angles(&self) -> FreeAngles<L, F> {
-        let mut free = FreeAngles {
+    fn free_joints(&self) -> FreeJoints<L, F> {
+        let mut free = FreeJoints {
             level: [[0.0; L]; F],
             no_root: [[0.0; L]; F],
         };
@@ -200,7 +200,7 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
 }
 
 /// The branches of one target, with what tells of angles that may be free.
-type Found<const N: usize, const L: usize, const F: usize> = (Branches<N, L>, FreeAngles<L, F>);
+type Found<const N: usize, const L: usize, const F: usize> = (Branches<N, L>, FreeJoints<L, F>);
 
 impl<'a, R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
     Given<'a, R, N, L, P, M, F>
@@ -234,22 +234,22 @@ where
             .expect("nothing but the branches is asked for")
     }
 
-    /// The branches, where the seed's value of a free angle leaves a later step no root with that
-    /// angle turned to where it leaves the most room.
+    /// The branches, where the seed's value of a free joint leaves a later step no root with that
+    /// joint moved to where it leaves the most room.
     #[inline(always)]
     fn with_root(&self, (branches, free): Found<N, L, F>) -> Branches<N, L> {
         if F == 0 || !free.leave_no_root() {
             return branches;
         }
         let run = |seed: &[Real; N], free: Real| {
-            let turned = Given::<R, N, L, P, M, F>::new(self.pose, seed, self.locked);
-            Given { free, ..turned }.branches()
+            let moved = Given::<R, N, L, P, M, F>::new(self.pose, seed, self.locked);
+            Given { free, ..moved }.branches()
         };
-        let turning = Turning {
-            coordinates: R::FREE,
+        let moving = Moving {
+            joints: R::FREE,
             run,
         };
-        turning.turned(branches, &free, &self.seed)
+        moving.moved(branches, &free, &self.seed)
     }
 }
 
@@ -258,7 +258,7 @@ impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F:
 where
     R: Inverse<N, L, P, M, F>,
 {
-    /// The solution that moves the joints least, angles that are free at the seed.
+    /// The solution that moves the joints least, joints that are free at the seed.
     #[cold]
     #[inline(never)]
     fn nearest(
@@ -310,13 +310,13 @@ where
                 *place = lanes.branches().choose(accept, motion);
                 None
             }
-            _ => Some((lanes.branches(), lanes.free_angles())),
+            _ => Some((lanes.branches(), lanes.free_joints())),
         }
     }
 }
 
 /// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
-/// keep a branch from the target, a free angle leaves a later step no root, or an elimination
+/// keep a branch from the target, a free joint leaves a later step no root, or an elimination
 /// completes the branches.
 #[inline]
 pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>(

@@ -9,7 +9,7 @@ pub mod batch;
 pub mod branches;
 pub mod dispatch;
 pub mod forward;
-pub mod free_angle;
+pub mod free_joint;
 pub mod inverse;
 pub mod lanes;
 pub mod locked;

@@ -116,7 +116,7 @@ macro_rules! kinematics_methods {
                     Solutions::new()
                 }
 
-                /// As [`Self::ik`]; an angle that a singular target leaves free
+                /// As [`Self::ik`]; a joint that a singular target leaves free
                 /// keeps its value in `seed`, so that solutions along a path are
                 /// continuous.
                 fn ik_seeded(&self, target: &$($root)*::Pose, seed: &[$real; $n])

@@ -110,7 +110,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// reach.
     fn ik_at(&self, target: &Pose, parameter: f64) -> Solutions<N>;
 
-    /// The same; an angle that a singular target leaves free keeps its value in `seed` (radians,
+    /// The same; a joint that a singular target leaves free keeps its value in `seed` (radians,
     /// metres), so that solutions along a path are continuous.
     fn ik_seeded_at(&self, target: &Pose, parameter: f64, seed: &[f64; N]) -> Solutions<N> {
         let _ = seed;
@@ -268,7 +268,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// parameter: the least minimum over the feasible intervals. None if there is none
     /// within limits.
     ///
-    /// An angle that a singular target leaves free has the value that solutions have, but for
+    /// A joint that a singular target leaves free has the value that solutions have, but for
     /// [`Criterion::Nearest`], which looks at those with the seed's parameter and angle as well: it
     /// answers with the seed where that reaches the target.
     ///

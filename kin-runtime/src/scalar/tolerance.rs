@@ -20,8 +20,8 @@ pub const FREE_BELOW: Real = 1e-24;
 /// that it tells may be given up for any other, since the target may be nearer than what a solution
 /// may miss to one that leaves it free, the more so the nearer the vector's point is to the axis.
 pub const NEARLY_FREE: Real = 1e-16;
-/// How far the level of a free angle is from a constant and a harmonic at most where it is their sum,
-/// relative to both.
+/// How far the level of a free joint is at most, where it is the sum that three places tell, from that
+/// sum, relative to its terms.
 pub const AS_TOLD: Real = 1e-9;
 /// A vector whose square is below this, relative to its scale, tells an angle to a hundredth of
 /// what a solution may miss.

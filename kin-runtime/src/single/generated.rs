@@ -10,8 +10,8 @@ pub mod batch;
 pub mod branches;
 #[path = "../generated/forward.rs"]
 pub mod forward;
-#[path = "../generated/free_angle.rs"]
-pub mod free_angle;
+#[path = "../generated/free_joint.rs"]
+pub mod free_joint;
 #[path = "../generated/inverse.rs"]
 pub mod inverse;
 #[path = "../generated/lanes.rs"]

@@ -63,7 +63,7 @@ pub mod __private {
     pub use super::generated::forward::{
         BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
     };
-    pub use super::generated::free_angle::{self, FREE_BELOW};
+    pub use super::generated::free_joint::{self, FREE_BELOW, FreeJoint};
     pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest};
     pub use super::generated::lanes;
     pub use super::generated::locked::Locked;

@@ -24,8 +24,8 @@ pub const FREE_BELOW: Real = 1e-12;
 /// A vector whose square is below this moves the tip by half of what a solution may miss: the
 /// angle that it tells may be given up for any other.
 pub const NEARLY_FREE: Real = 1e-10;
-/// How far the level of a free angle is from a constant and a harmonic at most where it is their sum,
-/// relative to both.
+/// How far the level of a free joint is at most, where it is the sum that three places tell, from that
+/// sum, relative to its terms.
 pub const AS_TOLD: Real = 1e-4;
 /// A vector whose square is below this, relative to its scale, tells an angle to a hundredth of
 /// what a solution may miss.

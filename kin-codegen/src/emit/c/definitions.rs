@@ -18,6 +18,11 @@ const PREAMBLE: &str = "\
 #error \"compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places\"
 #endif
 
+#if defined(__clang__) && __clang_major__ >= 11
+/* Clang does not tell of all parts of -ffast-math; of those that are left this one does harm. */
+#pragma clang fp reassociate(off)
+#endif
+
 #if defined(__GNUC__) && !defined(__cplusplus)
 /* No square root here sets errno, which would keep loops from becoming vector instructions. */
 extern double sqrt(double) __attribute__((__const__));

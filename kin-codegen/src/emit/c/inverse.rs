@@ -1,6 +1,6 @@
 //! Inverse kinematics as C functions.
 
-use super::language::signed;
+use super::language::{numbers, signed};
 use super::{lanes, runtime, univariate};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
 use crate::emit::curly::data::{counts, size};
@@ -71,7 +71,7 @@ fn by_expressions(
         _ => (String::new(), String::new()),
     };
     vec![
-        free_angles(inverse),
+        free_joints(inverse),
         lanes::function(solver, inverse),
         runtime::DISPATCH.to_owned(),
         branches(inverse),
@@ -185,7 +185,7 @@ fn whole(model: &Model, solver: &ClosedForm) -> String {
     )
 }
 
-/// The lanes, with angles that are free turned where their own values leave a later root none.
+/// The lanes, with joints that are free moved where their own values leave a later root none.
 fn branches(inverse: &InverseGraph) -> String {
     // A joint without a seed takes no part in a choice.
     let heading = "static void kin_compute_branches(\n    const double target[12], \
@@ -193,30 +193,37 @@ fn branches(inverse: &InverseGraph) -> String {
                    double seed[KIN_SOLVED];\n    for (int i = 0; i < KIN_SOLVED; ++i) {\n        \
                    seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;\n    }\n    \
                    kin_compute_lanes(target, seed, given, 1e-24, lanes);\n";
-    if inverse.free_angles.is_empty() {
+    if inverse.free_joints.is_empty() {
         return format!("{heading}}}\n");
     }
     format!(
         "{}\n{heading}    for (int i = 0; i < KIN_FREE; ++i) {{\n        \
          for (int k = 0; k < KIN_BRANCHES; ++k) {{\n            \
          if (lanes->no_root[i][k] > 0.0) {{\n                \
-         kin_turn_free_angles(target, seed, given, lanes, 0, -1, lanes);\n                \
+         kin_move_free_joints(target, seed, given, lanes, 0, -1, lanes);\n                \
          return;\n            }}\n        }}\n    }}\n}}\n",
         runtime::TURNING
     )
 }
 
-/// The coordinates whose seeds angles have that may be free.
-fn free_angles(inverse: &InverseGraph) -> String {
-    let turns = inverse.free_angles.iter();
-    let coordinates: Vec<String> = turns.map(|it| it.turn.coordinate.to_string()).collect();
+/// The coordinates of the seed that joints have that may be free.
+fn free_joints(inverse: &InverseGraph) -> String {
+    let joints = inverse.free_joints.iter();
+    let coordinates: Vec<String> = joints
+        .clone()
+        .map(|it| it.turn.coordinate.to_string())
+        .collect();
+    let slides: Vec<f64> = joints.map(|it| it.slide.unwrap_or(0.0)).collect();
     match coordinates.len() {
         0 => String::new(),
         count => format!(
-            "/* The joints whose seeds angles have that singular targets leave free, where their \
-             values can leave\n * a later root none. */\n#define KIN_FREE {count}\n\
-             static const int kin_free[KIN_FREE] = {{{}}};\n",
-            coordinates.join(", ")
+            "/* The joints that singular targets leave free, where their values can leave a later \
+             root none, and\n * how far slides go while an angle turns by one radian, 0 for angles. \
+             */\n#define KIN_FREE {count}\n\
+             static const int kin_free[KIN_FREE] = {{{}}};\n\
+             static const double kin_free_slides[KIN_FREE] = {};\n",
+            coordinates.join(", "),
+            numbers(slides)
         ),
     }
 }

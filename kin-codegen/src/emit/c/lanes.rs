@@ -13,10 +13,10 @@ pub fn function(solver: &ClosedForm, inverse: &InverseGraph) -> String {
     let width = found.width;
     let unread = found.unread.iter().rev();
     let unread: String = unread.map(|name| format!("(void){name};\n")).collect();
-    let free_angles = match found.free_angles {
+    let free_joints = match found.free_joints {
         0 => String::new(),
         _ => format!(
-            "    /* What the roots behind angles that may be free say: their level, and positive \
+            "    /* What the roots behind joints that may be free say: their level, and positive \
              where they\n     * are none. */\n    double level[KIN_FREE][{width}];\n    \
              double no_root[KIN_FREE][{width}];\n"
         ),
@@ -25,8 +25,8 @@ pub fn function(solver: &ClosedForm, inverse: &InverseGraph) -> String {
         "/* All branches of the plan: lane k is the branch whose i-th choice is + where bit i of \
          k is\n * clear. */\ntypedef struct kin_lanes {{\n    double q[KIN_SOLVED][{width}];\n    \
          double residual[{width}];\n    /* Positive where the branch does not exist or repeats \
-         another. */\n    double invalid[{width}];\n    /* Positive where a root is double or an \
-         angle is free. */\n    double singular[{width}];\n{free_angles}}} kin_lanes;\n\n\
+         another. */\n    double invalid[{width}];\n    /* Positive where a root is double or a \
+         joint is free. */\n    double singular[{width}];\n{free_joints}}} kin_lanes;\n\n\
          KIN_INLINE void kin_lanes_of(\n    const double target[12], const double seed[KIN_SOLVED], \
          const double *given, double free_below,\n    kin_lanes *lanes)\n{{\n{}}}\n",
         indented(&(unread + &found.statements))

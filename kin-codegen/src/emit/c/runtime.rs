@@ -13,7 +13,7 @@ const PIECES: [&str; 15] = [
     include_str!("runtime/atan2.c"),
     include_str!("runtime/angle.c"),
     include_str!("runtime/quartic.c"),
-    include_str!("runtime/free_angle.c"),
+    include_str!("runtime/free_joint.c"),
     include_str!("runtime/poses.c"),            // `Pose`
     include_str!("runtime/univariate/lanes.c"), // lanes.rs
     include_str!("runtime/travel.c"),
@@ -23,7 +23,7 @@ const PIECES: [&str; 15] = [
 
 /// The lanes, by the instructions at hand.
 pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
-/// The lanes with free angles turned, behind this; as in `generated/free_angle.rs`.
+/// The lanes with free joints moved, behind this; as in `generated/free_joint.rs`.
 pub const TURNING: &str = include_str!("runtime/turning.c");
 /// The joints that are solved for, as a target sees them.
 pub const SEEN: &str = include_str!("runtime/seen.c");

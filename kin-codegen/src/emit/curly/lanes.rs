@@ -18,8 +18,8 @@ pub struct Body {
     pub width: usize,
     /// Those of its inputs that it does not read.
     pub unread: Vec<&'static str>,
-    /// Of how many angles it tells that may be free.
-    pub free_angles: usize,
+    /// Of how many joints it tells that may be free.
+    pub free_joints: usize,
 }
 
 /// Writes all lanes of a closed form.
@@ -73,7 +73,7 @@ pub fn body<L: Curly>(solver: &ClosedForm, inverse: &InverseGraph) -> Body {
         statements,
         width,
         unread: unread.map(|(name, _)| name).collect(),
-        free_angles: found.free_angles.len(),
+        free_joints: found.free_joints.len(),
     }
 }
 
@@ -84,7 +84,7 @@ fn results<L: Curly>(found: &Lanes<L>) -> String {
     results.push(("residual".into(), &found.residual));
     results.push(("invalid".into(), &found.invalid));
     results.push(("singular".into(), &found.singular));
-    for (i, [level, no_root]) in found.free_angles.iter().enumerate() {
+    for (i, [level, no_root]) in found.free_joints.iter().enumerate() {
         results.push((format!("level[{i}]"), level));
         results.push((format!("no_root[{i}]"), no_root));
     }

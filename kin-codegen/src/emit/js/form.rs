@@ -27,8 +27,11 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
     let solved = (0..model.variables.len()).filter(|i| !locked.contains(i));
     let places = |places: Vec<usize>| array(places.iter().map(usize::to_string));
     let swivel = redundancy.and_then(|it| it.swivel);
-    let free_angles = inverse.iter().flat_map(|it| &it.free_angles);
-    let free_angles = free_angles.map(|it| it.turn.coordinate);
+    let free_joints = inverse.iter().flat_map(|it| &it.free_joints);
+    let free_joints = free_joints.map(|it| {
+        let slide = it.slide.map_or_else(|| "null".into(), signed);
+        format!("{{ coordinate: {}, slide: {slide} }}", it.turn.coordinate)
+    });
     let most = match search {
         Some(_) => Solutions::<6>::CAPACITY,
         None => solver.plan.branches(),
@@ -60,7 +63,7 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
         ("tolerance", signed(accept.tolerance)),
         ("taken", signed(accept.taken)),
         ("nearly", signed(accept.nearly)),
-        ("free_angles", places(free_angles.collect())),
+        ("free_joints", array(free_joints)),
     ];
     let counted = ["counts_translation", "counts_rotation", "counts_axis"];
     let counts = counts(solver.plan.target).map(|counts| counts.to_string());
@@ -94,7 +97,7 @@ fn lanes(solver: &ClosedForm, inverse: &InverseGraph) -> String {
     let width = found.width;
     let array = format!("new Float64Array({width})");
     let all = |count: usize| format!("Array.from({{ length: {count} }}, () => {array})");
-    let (q, free) = (all(solver.given.variables()), all(found.free_angles));
+    let (q, free) = (all(solver.given.variables()), all(found.free_joints));
     let room = format!(
         "const lanes = {{\n    q: {q},\n    residual: {array}, invalid: {array}, \
          singular: {array},\n    level: {free}, no_root: {free},\n}};\n"

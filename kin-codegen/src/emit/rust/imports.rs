@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 30] = [
+const PRIVATE: [&str; 31] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
@@ -42,6 +42,7 @@ const PRIVATE: [&str; 30] = [
     "FREE_BELOW",
     "Forward",
     "Frames",
+    "FreeJoint",
     "Fused",
     "GeometricJacobian",
     "Inverse",

@@ -40,7 +40,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out
         /// of reach has no solutions, and neither has one of which an entry
         /// that is read is not finite. A singular target has a representative
-        /// of each family of solutions, with zero for an angle that is free.
+        /// of each family of solutions, with zero for a joint that is free.
         ///
         #[doc = #assumes]
         ///
@@ -50,7 +50,7 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
             #answer
         }
 
-        /// As [`Self::ik`]; an angle that a singular target leaves free keeps
+        /// As [`Self::ik`]; a joint that a singular target leaves free keeps
         /// its value in `seed` (radians), so that solutions along a path are
         /// continuous; that of a joint whose seed is not finite is 0. The
         /// solutions of other targets do not depend on it.
@@ -172,9 +172,14 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
         let used = lanes.inputs[inputs].contains(&true);
         (!used).then(|| quote!(let _ = #name;))
     });
-    let turns = inverse.free_angles.iter().map(|free| free.turn.coordinate);
-    let free: Vec<Literal> = turns.map(Literal::usize_unsuffixed).collect();
-    let free_angles = Literal::usize_unsuffixed(free.len());
+    let free = inverse.free_joints.iter().map(|free| {
+        let coordinate = Literal::usize_unsuffixed(free.turn.coordinate);
+        let slide = free.slide.map(literal);
+        let slide = slide.map_or_else(|| quote!(None), |slide| quote!(Some(#slide)));
+        quote!(FreeJoint { coordinate: #coordinate, slide: #slide })
+    });
+    let free: Vec<TokenStream> = free.collect();
+    let free_joints = Literal::usize_unsuffixed(free.len());
     let busy = Literal::usize_unsuffixed(lanes.busy);
     let completion = solver.completion();
     let completion = (completion != Completion::Never).then(|| {
@@ -183,14 +188,14 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     });
     let q = &lanes.q;
     let (residual, invalid, singular) = (&lanes.residual, &lanes.invalid, &lanes.singular);
-    let level = lanes.free_angles.iter().map(|[level, _]| level);
-    let no_root = lanes.free_angles.iter().map(|[_, no_root]| no_root);
+    let level = lanes.free_joints.iter().map(|[level, _]| level);
+    let no_root = lanes.free_joints.iter().map(|[_, no_root]| no_root);
     Some(quote! {
-        impl Inverse<#n, #width, #locked, #count, #free_angles> for #robot {
+        impl Inverse<#n, #width, #locked, #count, #free_joints> for #robot {
             const ACCEPT: Acceptance = #robot::ACCEPT;
             #completion
             const WIDTH: usize = #busy;
-            const FREE: [usize; #free_angles] = [#(#free),*];
+            const FREE: [FreeJoint; #free_joints] = [#(#free),*];
 
             #[inline(always)]
             fn angles(seed: &[f64; #n], locked: &[f64; #locked]) -> [f64; #count] {
@@ -206,7 +211,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
                 locked: &[f64; #locked],
                 sin_cos: impl SinCos<#count>,
                 free: f64,
-            ) -> Lanes<#n, #width, { T }, #free_angles> {
+            ) -> Lanes<#n, #width, { T }, #free_joints> {
                 #(#unused)*
                 #without_angles
                 #statements
@@ -285,8 +290,8 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
     };
     quote! {
         /// The solution that moves the joints least from `seed` (radians), inside
-        /// the limits of the arm and with full turns where these lead there; an
-        /// angle that a singular target leaves free keeps its value in `seed`.
+        /// the limits of the arm and with full turns where these lead there; a
+        /// joint that a singular target leaves free keeps its value in `seed`.
         /// None if there is none.
         #[must_use]
         pub fn ik_nearest(&self, pose: &Pose, seed: &[f64; #n])
@@ -297,7 +302,7 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
 
         /// The solution that moves the joints least from the seed of `nearest`,
         /// inside its limits and steps; see
-        /// [`Nearest`]. None if there is none.
+        /// [`Nearest`](::kinematics::Nearest). None if there is none.
         #[must_use]
         pub fn ik_nearest_by(&self, pose: &Pose, nearest: &Nearest<#n>)
             -> ::core::option::Option<Solution<#n>>

@@ -24,8 +24,8 @@ pub struct Lanes {
     pub invalid: TokenStream,
     /// Positive where the branch is singular.
     pub singular: TokenStream,
-    /// See [`lanes::Lanes::free_angles`].
-    pub free_angles: Vec<[TokenStream; 2]>,
+    /// See [`lanes::Lanes::free_joints`].
+    pub free_joints: Vec<[TokenStream; 2]>,
     /// See [`lanes::Lanes::busy`].
     pub busy: usize,
     /// The inputs that are read.
@@ -67,8 +67,8 @@ pub fn lanes(
         residual: result(&found.residual),
         invalid: result(&found.invalid),
         singular: result(&found.singular),
-        free_angles: found
-            .free_angles
+        free_joints: found
+            .free_joints
             .iter()
             .map(|free| free.each_ref().map(result))
             .collect(),

@@ -43,7 +43,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
             " As [`Self::ik_at`]; if `seed` (radians, metres) is a singular solution, it is among them."
         }
         Inverse::Expressions(_) => {
-            " As [`Self::ik_at`]; an angle that a singular target leaves free keeps its value in `seed` (radians)."
+            " As [`Self::ik_at`]; a joint that a singular target leaves free keeps its value in `seed` (radians)."
         }
     };
     quote! {
@@ -56,7 +56,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
         /// Angles are in (−π, π]; limits are not applied, see
         /// [`Solutions::within_limits`](::kinematics::Solutions::within_limits). A target out of
         /// reach at this parameter has no solutions, and neither has one of which an
-        /// entry is not finite. [`Solution::singular`] is about the Jacobian of the joints
+        /// entry is not finite. [`Solution::singular`](::kinematics::Solution::singular) is about the Jacobian of the joints
         /// that are solved for.
         ///
         #[doc = #assumes]

@@ -19,7 +19,7 @@ pub fn methods(arm: &Arm, joints: usize, what: &str) -> TokenStream {
     };
     let order = format!(
         " {most} They come in the order of q{joint}, those of singular targets last, and \
-         [`Solution::branch`] is their place: it changes where two solutions meet."
+         [`Solution::branch`](::kinematics::Solution::branch) is their place: it changes where two solutions meet."
     );
     let rotation = match arm.counts {
         Target::Pose => {

@@ -1,13 +1,13 @@
 //! The expressions of a plan, and what is asked of them.
 
-use super::FreeAngle;
+use super::FreeJoint;
 use crate::expr::{Choice, Expr, Graph, Node, Operations, Tape};
 use std::ops::Range;
 
 /// The expressions of a plan. Inputs are the target (nine entries of the
 /// rotation by rows, then the translation), the seed, by coordinate of q, the values of
 /// the joints that the linkage has locked, the swivel angle if it comes with the target, and the
-/// threshold below which angles that turn are free.
+/// threshold below which joints that move are free.
 #[derive(Clone, Debug)]
 pub struct InverseGraph {
     /// Holds everything below.
@@ -32,8 +32,8 @@ pub struct InverseGraph {
     /// turns are divided by what is constant of it, and where a target has it tilted they are those
     /// of no angle.
     pub residual_share: f64,
-    /// The angles that turn where they are free and the seed's value will not do.
-    pub free_angles: Vec<FreeAngle>,
+    /// The joints that move where they are free and the seed's value will not do.
+    pub free_joints: Vec<FreeJoint>,
     /// Which of the graph's nodes belong to what.
     pub parts: Parts,
     /// All of it but the margin as instructions; outputs in the order of
@@ -131,7 +131,7 @@ impl InverseGraph {
         let mut of_margin = self.clone();
         let zero = of_margin.graph.zero();
         of_margin.q = Vec::new();
-        of_margin.free_angles.clear();
+        of_margin.free_joints.clear();
         of_margin.residual = of_margin.graph.named(margin, "margin");
         [of_margin.invalid, of_margin.singular] = [zero; 2];
         of_margin.graph.keep_choices_of(&[margin]);
@@ -145,7 +145,7 @@ impl InverseGraph {
         let last = arguments.iter().map(|(choice, _)| choice.0).max()?;
         let mut of_arguments = self.clone();
         let zero = of_arguments.graph.zero();
-        of_arguments.free_angles.clear();
+        of_arguments.free_joints.clear();
         [
             of_arguments.residual,
             of_arguments.invalid,
@@ -166,7 +166,7 @@ impl InverseGraph {
     pub fn outputs(&self) -> Vec<Expr> {
         let mut all = self.q.clone();
         all.extend([self.residual, self.invalid, self.singular]);
-        let said = self.free_angles.iter();
+        let said = self.free_joints.iter();
         all.extend(said.flat_map(|free| [free.level, free.no_root]));
         all
     }

@@ -24,7 +24,7 @@ mod swivel;
 mod transport;
 
 use deviation::Deviation;
-pub use free::{FreeAngle, FreeAngles, Turn};
+pub use free::{FreeJoint, FreeJoints, Turn};
 pub use graph::{InverseGraph, Parts, StepPart};
 
 use super::forward::{self, JointTrig, subscript};
@@ -50,18 +50,18 @@ pub fn inverse(
     linkage: &Linkage,
     plan: &Plan,
     margin: DomainMargin,
-    free: &FreeAngles,
+    free: &FreeJoints,
 ) -> InverseGraph {
     let mut writer = Writer::new(linkage, plan.target, margin);
-    let free_angles = writer.write_all(plan, free);
-    writer.finish(free_angles)
+    let free_joints = writer.write_all(plan, free);
+    writer.finish(free_joints)
 }
 
 /// What all branches of a plan cost, by [weight](super::Operations::weight), but for their
 /// residuals: these take about as much after every plan of an arm.
 pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
     let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
-    writer.write_all(plan, &FreeAngles::Seeded);
+    writer.write_all(plan, &FreeJoints::Seeded);
     let mut outputs = writer.angles();
     outputs.extend([writer.branch.invalid, writer.branch.singular]);
     writer.g.operations_of_lanes(&outputs).weight()
@@ -81,7 +81,7 @@ struct Writer<'a> {
     given: Motion,
     /// The whole pose that it stands for.
     pose: Motion,
-    /// What a free angle keeps, by coordinate of q.
+    /// What a free joint keeps, by coordinate of q.
     seed: Vec<Expr>,
     /// How far the joints that come with the target have moved.
     parameters: Vec<Expr>,
@@ -89,7 +89,7 @@ struct Writer<'a> {
     swivel: Option<Trig>,
     /// On an idealized arm.
     deviation: Option<Deviation>,
-    /// See [`FreeAngles::Flagged`].
+    /// See [`FreeJoints::Flagged`].
     flags_badly_told: bool,
     solved: SolvedMotions,
     branch: BranchStatus,
@@ -131,9 +131,9 @@ struct BranchStatus {
 #[derive(Clone)]
 struct StepState {
     /// Vectors shorter than this, squared and relative to their scale, leave the
-    /// angle of the step at hand free.
+    /// joint of the step at hand free.
     free: Expr,
-    /// The unknowns of the step just written whose angles may be free.
+    /// The unknowns of the step just written that may be free.
     may_be_free: Vec<MayBeFree>,
     /// The cosine-sine equation of the step just written, where its root can
     /// leave the domain.
@@ -142,7 +142,7 @@ struct StepState {
     relation: Option<usize>,
 }
 
-/// An unknown whose angle is free where a factor is nothing beside its scale.
+/// An unknown that is free where a factor is nothing beside its scale.
 #[derive(Clone, Copy)]
 struct MayBeFree {
     unknown: Atom,
@@ -373,40 +373,40 @@ impl<'a> Writer<'a> {
         self.solved.sum[run]
     }
 
-    /// All steps, and the angles that turn where they are free.
-    fn write_all(&mut self, plan: &Plan, free: &FreeAngles) -> Vec<FreeAngle> {
+    /// All steps, and the joints that move where they are free.
+    fn write_all(&mut self, plan: &Plan, free: &FreeJoints) -> Vec<FreeJoint> {
         self.take_parameters();
-        self.flags_badly_told = *free == FreeAngles::Flagged;
+        self.flags_badly_told = *free == FreeJoints::Flagged;
         let mut may_be_free: Vec<(usize, MayBeFree)> = Vec::new();
-        let mut free_angles = Vec::new();
+        let mut free_joints = Vec::new();
         let mut threshold = None;
         for (i, step) in plan.steps.iter().enumerate() {
             let begins = self.g.nodes().len();
             self.step.level = None;
-            let turns = free.turns_step(i);
+            let turns = free.moves_step(i);
             self.step.free = match turns {
                 true => *threshold.get_or_insert_with(|| self.g.input("free")),
                 false => self.g.constant(self.tolerances.free_below),
             };
             self.write(step);
-            for (step, angle) in &may_be_free {
-                let said = self.said_of(*step, *angle, i, plan);
+            for (step, joint) in &may_be_free {
+                let said = self.said_of(*step, *joint, i, plan);
                 if let Some(said) = said.filter(|said| free.includes(said.turn)) {
-                    self.name_said(free_angles.len(), &said);
-                    free_angles.push(said);
+                    self.name_said(free_joints.len(), &said);
+                    free_joints.push(said);
                 }
             }
             let these = std::mem::take(&mut self.step.may_be_free);
             if turns {
-                may_be_free.extend(these.into_iter().map(|angle| (i, angle)));
+                may_be_free.extend(these.into_iter().map(|joint| (i, joint)));
             }
             let relation = self.step.relation.take();
             self.parts.steps.push(StepPart { begins, relation });
         }
-        free_angles
+        free_joints
     }
 
-    fn finish(mut self, free_angles: Vec<FreeAngle>) -> InverseGraph {
+    fn finish(mut self, free_joints: Vec<FreeJoint>) -> InverseGraph {
         self.parts.residual = self.g.nodes().len();
         let residual = self.residual();
         self.parts.angles = self.g.nodes().len();
@@ -431,7 +431,7 @@ impl<'a> Writer<'a> {
             margin,
             arguments: self.branch.arguments,
             residual_share: self.residual_share,
-            free_angles,
+            free_joints,
             graph: self.g,
             tape: Tape::default(),
         };

@@ -1,7 +1,7 @@
 //! Subproblem 6: two relations between two unknowns.
 
+use super::Writer;
 use super::quartic::Free;
-use super::{MayBeFree, Writer};
 use crate::expr::Expr;
 use crate::expr::linear::Trig;
 use crate::plan::{Atom, Relation, Target};
@@ -77,14 +77,7 @@ impl Writer<'_> {
             return None; // Its branches are followed wherever they lead.
         }
         let (square, scale) = (self.inner(coefficients, coefficients), self.g.one());
-        let below = self.flag_free(square, scale);
-        self.step
-            .may_be_free
-            .extend(unknowns.map(|unknown| MayBeFree {
-                unknown,
-                factor: square,
-                scale,
-            }));
+        let below = self.flag_free(&unknowns, square, scale);
         let seed = unknowns.map(|unknown| self.seeded(unknown));
         let seed = seed.map(|it| [it.cos, it.sin]).concat();
         let [cos, sin] = circle.map(|along| self.inner(along, &seed));

@@ -235,7 +235,7 @@ impl Moved<'_> {
         for (_, e) in moved.arguments.iter_mut().flatten() {
             *e = self.whole(*e);
         }
-        for free in &mut moved.free_angles {
+        for free in &mut moved.free_joints {
             free.level = self.whole(free.level);
             free.no_root = self.whole(free.no_root);
         }

@@ -4,7 +4,7 @@ use super::Writer;
 use crate::expr::linear::Trig;
 use crate::expr::{Expr, RootField};
 
-/// What becomes of an angle that a singular target leaves free.
+/// What becomes of a joint that a singular target leaves free.
 pub(super) struct Free {
     /// The square of what tells it.
     pub square: Expr,

@@ -293,15 +293,10 @@ impl Writer<'_> {
             };
         }
         let one = self.g.one();
-        let nothing = self.flag_free(factor, scale);
+        let nothing = self.flag_free(&[unknown], factor, scale);
         let inverse = self.g.div(one, factor);
         let sin = self.g.mul(trig.sin, inverse);
         let cos = self.g.mul(trig.cos, inverse);
-        self.step.may_be_free.push(MayBeFree {
-            unknown,
-            factor,
-            scale,
-        });
         let seeded = self.seeded(unknown);
         Trig {
             sin: self.g.select_less(factor, nothing, seeded.sin, sin),
@@ -309,10 +304,16 @@ impl Writer<'_> {
         }
     }
 
-    /// Flags branches in which a factor leaves its angle free, unless they are held against more,
+    /// Flags branches in which a factor leaves its joints free, unless they are held against more,
     /// and returns below what it does. As a share of `scale` the factor is the square of the sine
     /// that tells the angle.
-    pub(super) fn flag_free(&mut self, factor: Expr, scale: Expr) -> Expr {
+    pub(super) fn flag_free(&mut self, unknowns: &[Atom], factor: Expr, scale: Expr) -> Expr {
+        let free = unknowns.iter().map(|&unknown| MayBeFree {
+            unknown,
+            factor,
+            scale,
+        });
+        self.step.may_be_free.extend(free);
         let nothing = self.free_below(scale);
         if !self.doubt(factor, scale, nothing) {
             let flagged_below = match self.flags_badly_told {

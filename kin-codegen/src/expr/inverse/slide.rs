@@ -79,7 +79,7 @@ impl Writer<'_> {
         // Along the plane any travel will do, and the seed's stands for all.
         let square = self.g.square(rate);
         let one = self.g.one();
-        let nothing = self.flag_free(square, one);
+        let nothing = self.flag_free(&[Atom::Joint(joint)], square, one);
         let seeded = self.seeded_joint(joint);
         let seeded = seeded.unwrap_or_else(|| self.g.zero());
         let travel = self.g.div(rest, rate);

@@ -1,13 +1,13 @@
 //! Inverse kinematics of many targets.
 //!
 //! A block of targets at a time, one in each lane; the branches are a loop. What
-//! the lanes do not settle, a free angle without a root behind it or a branch that
+//! the lanes do not settle, a free joint without a root behind it or a branch that
 //! rounding may keep from its target, is left to a call for that target alone: of
 //! random targets next to none.
 
 use super::super::super::generated::arithmetic::Fused;
 use super::super::super::generated::dispatch::{Dispatched, dispatch};
-use super::super::super::generated::free_angle::FREE_BELOW;
+use super::super::super::generated::free_joint::FREE_BELOW;
 use super::super::super::generated::inverse::Inverse;
 use super::super::super::generated::sin_cos::Known;
 use super::super::super::{Pose, Solutions};

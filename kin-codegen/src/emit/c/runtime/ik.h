@@ -1,7 +1,7 @@
-/* All solutions of a target, in the order of their branches; of an angle that a singular target
+/* All solutions of a target, in the order of their branches; of a joint that a singular target
  * leaves free the one with zero. How many there are, or why there are none. */
 int kin_ik(const double pose[12], kin_solution solutions[KIN_MAX_SOLUTIONS]);
-/* The same; a free angle keeps its value in the seed, so that solutions along a path are
+/* The same; a free joint keeps its value in the seed, so that solutions along a path are
  * continuous. */
 int kin_ik_seeded(
     const double pose[12], const double seed[KIN_JOINTS],

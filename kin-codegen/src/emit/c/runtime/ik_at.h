@@ -3,7 +3,7 @@
 int kin_ik_at(
     const double pose[12], const double parameters[KIN_PARAMETERS],
     kin_solution solutions[KIN_MAX_SOLUTIONS]);
-/* The same; an angle that a singular target leaves free keeps its value in the seed, so that
+/* The same; a joint that a singular target leaves free keeps its value in the seed, so that
  * solutions along a path are continuous. */
 int kin_ik_seeded_at(
     const double pose[12], const double parameters[KIN_PARAMETERS],

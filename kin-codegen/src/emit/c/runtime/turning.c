@@ -9,36 +9,36 @@ static void kin_set_lane(kin_lanes *lanes, const kin_lanes *other, int k)
     lanes->singular[k] = other->singular[k];
 }
 
-/* Whether an angle that is free leaves a root none for which it makes room, but for the one that
+/* Whether a joint that is free leaves a root none for which it makes room, but for the one that
  * is left out. */
-static int kin_leaves_none(const kin_lanes *lanes, int angle, int left_out, int k)
+static int kin_leaves_none(const kin_lanes *lanes, int joint, int left_out, int k)
 {
     int leaves = 0;
     for (int j = 0; j < KIN_FREE; ++j) {
-        const int is_asked = kin_free[j] == kin_free[angle] && j != left_out;
+        const int is_asked = kin_free[j] == kin_free[joint] && j != left_out;
         leaves |= is_asked && lanes->no_root[j][k] > 0.0;
     }
     return leaves;
 }
 
-/* The lanes with an angle turned where it is free, and the seed that turns it. */
-static void kin_turn_by(
-    const double target[12], const double seed[KIN_SOLVED], const double *given, int angle,
-    double turn, double turned[KIN_SOLVED], kin_lanes *lanes)
+/* The lanes with a joint moved where it is free, and the seed that moves it. */
+static void kin_move_by(
+    const double target[12], const double seed[KIN_SOLVED], const double *given, int joint,
+    double turn, double moved[KIN_SOLVED], kin_lanes *lanes)
 {
     for (int i = 0; i < KIN_SOLVED; ++i) {
-        turned[i] = seed[i];
+        moved[i] = seed[i];
     }
-    turned[kin_free[angle]] += turn;
-    kin_compute_lanes(target, turned, given, 1e-16, lanes);
+    moved[kin_free[joint]] += (kin_free_slides[joint] > 0.0 ? kin_free_slides[joint] : 1.0) * turn;
+    kin_compute_lanes(target, moved, given, 1e-16, lanes);
 }
 
 /* Takes a turn with its level if that leaves a lane more room than the best one so far. */
 static void kin_take_turn(
-    const kin_lanes *lanes, int angle, double turn, int k, double *best, double *least, int *has_roots)
+    const kin_lanes *lanes, int joint, double turn, int k, double *best, double *least, int *has_roots)
 {
-    const double level = fabs(lanes->level[angle][k]);
-    const int has = !kin_leaves_none(lanes, angle, -1, k);
+    const double level = fabs(lanes->level[joint][k]);
+    const int has = !kin_leaves_none(lanes, joint, -1, k);
     if (has != *has_roots ? has : level < *least) {
         *best = turn;
         *least = level;
@@ -46,26 +46,33 @@ static void kin_take_turn(
     }
 }
 
+/* One of 15 turns all round but the seed's own, radians: to both sides, as slides go. */
+static double kin_turn_round(int i)
+{
+    const int step = i < 7 ? i - 7 : i - 6;
+    return step * (6.283185307179586 / 16.0);
+}
+
 /* Of turns all round the one that leaves a lane the most room, or if none leaves it any the best next
  * to it. */
 static double kin_turn_all_round(
-    const double target[12], const double seed[KIN_SOLVED], const double *given, int angle,
+    const double target[12], const double seed[KIN_SOLVED], const double *given, int joint,
     const kin_lanes all_round[15], int k)
 {
     /* Beside the best turn, to those through which a parabola tells where the level is least. */
     static const double parabolas[4] = {1e-2, 1e-3, 1e-4, 2e-5};
-    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, turned[KIN_SOLVED];
+    double step = 6.283185307179586 / 16.0, best = 0.0, least = HUGE_VAL, moved[KIN_SOLVED];
     int has_roots = 0;
     kin_lanes lanes;
     for (int i = 0; i < 15; ++i) {
-        kin_take_turn(&all_round[i], angle, (i + 1) * step, k, &best, &least, &has_roots);
+        kin_take_turn(&all_round[i], joint, kin_turn_round(i), k, &best, &least, &has_roots);
     }
     for (int halving = 0; halving < 5 && !has_roots; ++halving) {
         const double from = best;
         step *= 0.5;
         for (int sign = -1; sign <= 1; sign += 2) {
-            kin_turn_by(target, seed, given, angle, from + sign * step, turned, &lanes);
-            kin_take_turn(&lanes, angle, from + sign * step, k, &best, &least, &has_roots);
+            kin_move_by(target, seed, given, joint, from + sign * step, moved, &lanes);
+            kin_take_turn(&lanes, joint, from + sign * step, k, &best, &least, &has_roots);
         }
     }
     for (int i = 0; i < 4 && !has_roots; ++i) {
@@ -73,23 +80,23 @@ static double kin_turn_all_round(
         double beside[2], bend;
         for (int end = 0; end < 2; ++end) {
             const double turn = from + (end == 0 ? -parabolas[i] : parabolas[i]);
-            kin_turn_by(target, seed, given, angle, turn, turned, &lanes);
-            beside[end] = fabs(lanes.level[angle][k]);
+            kin_move_by(target, seed, given, joint, turn, moved, &lanes);
+            beside[end] = fabs(lanes.level[joint][k]);
         }
         bend = beside[0] + beside[1] - 2.0 * here;
         if (bend > 0.0) {
             const double turn = from + parabolas[i] * 0.5 * (beside[0] - beside[1]) / bend;
-            kin_turn_by(target, seed, given, angle, turn, turned, &lanes);
-            kin_take_turn(&lanes, angle, turn, k, &best, &least, &has_roots);
+            kin_move_by(target, seed, given, joint, turn, moved, &lanes);
+            kin_take_turn(&lanes, joint, turn, k, &best, &least, &has_roots);
         }
     }
     return best;
 }
 
-/* The lanes, or the only one, with the angles from the first one turned that are free and leave a
+/* The lanes, or the only one, with the joints from the first one moved that are free and leave a
  * later root none, as `said`: to where that has the most room. Where more than one is free, each
- * turns after those before it. */
-static void kin_turn_free_angles(
+ * moves after those before it. */
+static void kin_move_free_joints(
     const double target[12], const double seed[KIN_SOLVED], const double *given,
     const kin_lanes *said, int first, int only, kin_lanes *lanes)
 {
@@ -97,41 +104,40 @@ static void kin_turn_free_angles(
     for (int k = 0; k < KIN_BRANCHES; ++k) {
         open[k] = only < 0 || k == only;
     }
-    for (int angle = first; angle < KIN_FREE; ++angle) {
-        double samples[4][KIN_BRANCHES], turned[KIN_SOLVED];
+    for (int joint = first; joint < KIN_FREE; ++joint) {
+        double samples[4][KIN_BRANCHES], moved[KIN_SOLVED];
         kin_lanes best, all_round[15];
         int is_sampled = 0, is_round = 0;
         for (int k = 0; k < KIN_BRANCHES; ++k) {
             double levels[4], turn;
             int is_as_told;
-            if (!open[k] || !(said->no_root[angle][k] > 0.0)) {
+            if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
             open[k] = 0;
             for (int i = 0; i < 4 && !is_sampled; ++i) {
-                kin_turn_by(target, seed, given, angle, kin_level_turns[i], turned, &best);
+                kin_move_by(target, seed, given, joint, kin_level_turns[i], moved, &best);
                 for (int other = 0; other < KIN_BRANCHES; ++other) {
-                    samples[i][other] = best.level[angle][other];
+                    samples[i][other] = best.level[joint][other];
                 }
             }
             is_sampled = 1;
             for (int i = 0; i < 4; ++i) {
                 levels[i] = samples[i][k];
             }
-            turn = kin_roomiest_turn(levels);
-            kin_turn_by(target, seed, given, angle, turn, turned, &best);
-            is_as_told = kin_levels_tell(levels, turn, best.level[angle][k]);
-            if (kin_leaves_none(&best, angle, is_as_told ? angle : -1, k)) {
+            turn = kin_roomiest_turn(levels, kin_free_slides[joint] > 0.0);
+            kin_move_by(target, seed, given, joint, turn, moved, &best);
+            is_as_told = kin_levels_tell(levels, kin_free_slides[joint] > 0.0, turn, best.level[joint][k]);
+            if (kin_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
                 for (int i = 0; i < 15 && !is_round; ++i) {
-                    const double around = (i + 1) * (6.283185307179586 / 16.0);
-                    kin_turn_by(target, seed, given, angle, around, turned, &all_round[i]);
+                    kin_move_by(target, seed, given, joint, kin_turn_round(i), moved, &all_round[i]);
                 }
                 is_round = 1;
-                turn = kin_turn_all_round(target, seed, given, angle, all_round, k);
-                kin_turn_by(target, seed, given, angle, turn, turned, &best);
+                turn = kin_turn_all_round(target, seed, given, joint, all_round, k);
+                kin_move_by(target, seed, given, joint, turn, moved, &best);
             }
             kin_set_lane(lanes, &best, k);
-            kin_turn_free_angles(target, turned, given, &best, angle + 1, k, lanes);
+            kin_move_free_joints(target, moved, given, &best, joint + 1, k, lanes);
         }
     }
 }

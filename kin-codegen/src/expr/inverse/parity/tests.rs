@@ -28,7 +28,7 @@ fn inverse(mut g: Graph, q: Vec<Expr>, invalid: Option<Expr>) -> InverseGraph {
         margin: None,
         arguments: None,
         residual_share: 1.0,
-        free_angles: Vec::new(),
+        free_joints: Vec::new(),
         parts: Parts::default(),
         tape: Tape::default(),
     }

@@ -14,7 +14,7 @@ typedef struct kin_postures {
 /* All configurations that hold the platform at a target: how many there are. Limits are not
  * applied. */
 int kin_ik(const double pose[12], kin_postures *postures);
-/* The same; an angle that a singular target leaves free keeps its value in the seed. */
+/* The same; a joint that a singular target leaves free keeps its value in the seed. */
 int kin_ik_seeded(const double pose[12], const double seed[KIN_JOINTS], kin_postures *postures);
 /* How many configurations there are, and one of them by its number: 1, or 0 if there are fewer. */
 int kin_count(const kin_postures *postures);

@@ -1,13 +1,15 @@
-//! Angles that a singular target leaves free.
+//! Joints that a singular target leaves free.
 //!
-//! Any value closes the step that asks for such an angle, but not every value leaves the
+//! Any value closes the step that asks for such a joint, but not every value leaves the
 //! steps behind it a real root: a UR with its wrist stretched can turn its
-//! elbow out of reach of the shoulder. The branches have the seed's value.
+//! elbow out of reach of the shoulder, and an arm in the plane of its rail may be too far along it.
+//! The branches have the seed's value.
 //! Where that leaves a later root none, the freedom is spent on it: its
-//! equation a cos θ + b sin θ = d has the more room the nearer d is to zero,
-//! and as a function of the free angle d often is d₀ + d₁ cos φ + d₂ sin φ, which its
-//! values at three angles tell. Where it is not, since angles in between follow the free one,
-//! turns all round are tried. They take more runs of the plan, which regular targets do not pay.
+//! equation a cos θ + b sin θ = d has the more room the nearer d is to zero.
+//! As a function of a free angle φ d often is d₀ + d₁ cos φ + d₂ sin φ, and of a free slide x
+//! d₀ + d₁ x + d₂ x², which its values at three places tell. Where it is not, since angles in between
+//! follow the free joint,
+//! places all round are tried. They take more runs of the plan, which regular targets do not pay.
 
 use super::super::math;
 use super::super::scalar::Real;
@@ -16,18 +18,18 @@ use super::super::scalar::tolerance::AS_TOLD;
 pub use super::super::scalar::tolerance::{FREE_BELOW, NEARLY_FREE};
 use super::branches::Branches;
 
-/// What later roots say of F angles that may be free, as array lanes.
+/// What later roots say of F joints that may be free, as array lanes.
 #[derive(Clone, Copy, Debug)]
-pub struct FreeAngles<const L: usize, const F: usize> {
+pub struct FreeJoints<const L: usize, const F: usize> {
     /// d of the root's equation a cos θ + b sin θ = d, as a share of the amplitude where that
     /// depends on the target.
     pub level: [[Real; L]; F],
-    /// Positive where the angle is free and its value leaves no real root.
+    /// Positive where the joint is free and its value leaves no real root.
     pub no_root: [[Real; L]; F],
 }
 
-impl<const L: usize, const F: usize> FreeAngles<L, F> {
-    /// Whether an angle's value costs some branch its root.
+impl<const L: usize, const F: usize> FreeJoints<L, F> {
+    /// Whether a joint's value costs some branch its root.
     #[inline(always)]
     pub fn leave_no_root(&self) -> bool {
         let mut leave = false;
@@ -39,35 +41,59 @@ impl<const L: usize, const F: usize> FreeAngles<L, F> {
         leave
     }
 
-    /// Whether in a lane some of these angles leaves a root none.
-    fn leaves_none(&self, k: usize, mut angles: impl Iterator<Item = usize>) -> bool {
-        angles.any(|i| self.no_root[i][k] > 0.0)
+    /// Whether in a lane some of these joints leaves a root none.
+    fn leaves_none(&self, k: usize, mut joints: impl Iterator<Item = usize>) -> bool {
+        joints.any(|i| self.no_root[i][k] > 0.0)
     }
 }
 
-/// What a later root says of a free angle at some turns of the seed's.
+/// A joint that singular targets may leave free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeJoint {
+    /// Its coordinate of the seed.
+    pub coordinate: usize,
+    /// How far a slide goes while an angle turns by one radian; none for an angle. Slides move by
+    /// turns too.
+    pub slide: Option<Real>,
+}
+
+/// What a later root says of a free joint at some turns from the seed's value.
 #[derive(Clone, Copy, Debug)]
-pub struct Levels([Real; 4]);
+pub struct Levels {
+    levels: [Real; 4],
+    is_slide: bool,
+}
 
 impl Levels {
-    /// The turns, radians: three tell d₀ + d₁ cos φ + d₂ sin φ, and the fourth whether d is that.
+    /// The turns, radians: three tell d₀ + d₁ cos φ + d₂ sin φ or d₀ + d₁ φ + d₂ φ², and the fourth
+    /// whether d is that.
     pub const TURNS: [Real; 4] = [0.0, FRAC_PI_2, PI, 4.0];
 
     /// From d at [`TURNS`](Self::TURNS).
-    pub fn new(levels: [Real; 4]) -> Self {
-        Levels(levels)
+    pub fn new(levels: [Real; 4], joint: FreeJoint) -> Self {
+        let is_slide = joint.slide.is_some();
+        Levels { levels, is_slide }
     }
 
-    /// The turn, radians, that leaves the root the most room.
+    /// The turn, radians, that leaves the root the most room; of two for a slide the nearer one.
     ///
     /// ```
-    /// use kin_runtime::__private::free_angle::Levels;
+    /// use kin_runtime::__private::free_joint::{FreeJoint, Levels};
+    /// let angle = FreeJoint { coordinate: 0, slide: None };
     /// let level = |turn: f64| 0.3 - 0.5 * turn.cos() + 0.4 * turn.sin();
-    /// let levels = Levels::new(Levels::TURNS.map(level));
+    /// let levels = Levels::new(Levels::TURNS.map(level), angle);
     /// assert!(level(levels.roomiest()).abs() < 1e-15);
+    ///
+    /// let slide = FreeJoint { coordinate: 0, slide: Some(1.5) };
+    /// let level = |turn: f64| 12.0 - 8.0 * turn + turn * turn;
+    /// let levels = Levels::new(Levels::TURNS.map(level), slide);
+    /// assert!((levels.roomiest() - 2.0).abs() < 1e-14);
     /// ```
     pub fn roomiest(self) -> Real {
-        let [mean, x, y] = self.harmonics();
+        let [mean, x, y] = self.coefficients();
+        if self.is_slide {
+            return FRAC_PI_2 * nearest_zero([mean, x, y]);
+        }
         // mean + x cos φ + y sin φ = 0 by the tangent of half of φ less the phase, or what comes
         // nearest to it.
         let amplitude = math::sqrt(x * x + y * y);
@@ -77,22 +103,57 @@ impl Levels {
 
     /// Whether d is as the three turns tell it, at the fourth and where it is known too.
     pub fn tell(self, turn: Real, level: Real) -> bool {
-        let [mean, x, y] = self.harmonics();
-        let scale = mean.abs() + x.abs() + y.abs();
+        let coefficients = self.coefficients();
         let is_told = |(turn, level): (Real, Real)| {
-            let (sine, cosine) = math::sin_cos(turn);
-            let off = mean + x * cosine + y * sine - level;
-            off.abs() <= AS_TOLD * scale
+            let of = self.functions(turn);
+            let mut miss = -level;
+            let mut scale = 0.0;
+            for (coefficient, function) in coefficients.into_iter().zip(of) {
+                miss += coefficient * function;
+                scale += coefficient.abs() * function.abs().max(1.0);
+            }
+            miss.abs() <= AS_TOLD * scale
         };
-        let known = [(Self::TURNS[3], self.0[3]), (turn, level)];
+        let known = [(Self::TURNS[3], self.levels[3]), (turn, level)];
         known.into_iter().all(is_told)
     }
 
-    fn harmonics(self) -> [Real; 3] {
-        let [here, quarter, half, _] = self.0;
+    /// Of [`functions`](Self::functions).
+    fn coefficients(self) -> [Real; 3] {
+        let [here, quarter, half, _] = self.levels;
         let mean = 0.5 * (here + half);
-        [mean, 0.5 * (here - half), quarter - mean]
+        match self.is_slide {
+            true => {
+                let bend = mean - quarter;
+                [here, 0.5 * (half - here) - 2.0 * bend, bend]
+            }
+            false => [mean, 0.5 * (here - half), quarter - mean],
+        }
     }
+
+    /// What d is a combination of at a turn: a constant, then of an angle cosine and sine, of a slide
+    /// quarters and their square.
+    fn functions(self, turn: Real) -> [Real; 3] {
+        if self.is_slide {
+            let quarters = turn / FRAC_PI_2;
+            return [1.0, quarters, quarters * quarters];
+        }
+        let (sine, cosine) = math::sin_cos(turn);
+        [1.0, cosine, sine]
+    }
+}
+
+/// Where c + b x + a x² is zero nearest to 0, or if it is nowhere where it is least.
+fn nearest_zero([c, b, a]: [Real; 3]) -> Real {
+    let discriminant = b * b - 4.0 * a * c;
+    let (over, below) = match discriminant < 0.0 {
+        true => (-b, 2.0 * a),
+        false => {
+            let root = math::sqrt(discriminant);
+            (-2.0 * c, b + if b < 0.0 { -root } else { root })
+        }
+    };
+    if below == 0.0 { 0.0 } else { over / below }
 }
 
 /// How many turns all round there are, the seed's own among them.
@@ -108,19 +169,21 @@ const PARABOLAS: [Real; 4] = [1e-2, 1e-3, 1e-4, 2e-5];
 /// Between turns all round, radians.
 const STEP: Real = 2.0 * PI / TURNS as Real;
 
-/// Turns all round but the seed's own, radians.
+/// Turns all round but the seed's own, radians: to both sides, as slides go.
 pub fn all_round() -> impl Iterator<Item = Real> {
-    (1..TURNS).map(|step| step as Real * STEP)
+    let half = TURNS as i32 / 2;
+    let steps = (1 - half..=half).filter(|&step| step != 0);
+    steps.map(|step| step as Real * STEP)
 }
 
-/// What turns the angles that are free. `run` gives the branches for a seed and the threshold below
-/// which angles are free and follow their coordinates of the seed.
-pub(super) struct Turning<R, const F: usize> {
-    pub coordinates: [usize; F],
+/// What moves the joints that are free. `run` gives the branches for a seed and the threshold below
+/// which joints are free and follow their coordinates of the seed.
+pub(super) struct Moving<R, const F: usize> {
+    pub joints: [FreeJoint; F],
     pub run: R,
 }
 
-/// What a turn of a free angle leaves the roots for which it makes room.
+/// What a turn of a free joint leaves the roots for which it makes room.
 #[derive(Clone, Copy, Debug)]
 pub struct Room {
     /// Radians.
@@ -152,7 +215,7 @@ impl Room {
     /// turn alone the root may be a double one.
     ///
     /// ```
-    /// use kin_runtime::__private::free_angle::Room;
+    /// use kin_runtime::__private::free_joint::Room;
     /// // |d| is 1 where the root is double, and more at any other turn.
     /// let room = |turn: f64| {
     ///     let level = 2.0 - (turn - 0.4).cos() + 0.1 * (turn - 0.4).powi(3);
@@ -186,41 +249,41 @@ impl Room {
 }
 
 /// What a seed leads to.
-struct Turned<const N: usize, const L: usize, const F: usize> {
+struct Moved<const N: usize, const L: usize, const F: usize> {
     seed: [Real; N],
     branches: Branches<N, L>,
-    free: FreeAngles<L, F>,
+    free: FreeJoints<L, F>,
 }
 
-impl<R, const F: usize> Turning<R, F> {
-    /// The branches of a seed with free angles turned where their own values leave a later root
+impl<R, const F: usize> Moving<R, F> {
+    /// The branches of a seed with free joints moved where their own values leave a later root
     /// none.
     #[cold]
     #[inline(never)]
-    pub fn turned<const N: usize, const L: usize>(
+    pub fn moved<const N: usize, const L: usize>(
         &self,
         mut branches: Branches<N, L>,
-        free: &FreeAngles<L, F>,
+        free: &FreeJoints<L, F>,
         seed: &[Real; N],
     ) -> Branches<N, L>
     where
-        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeAngles<L, F>),
+        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeJoints<L, F>),
     {
-        self.turn(&mut branches, [true; L], free, seed, 0);
+        self.move_from(&mut branches, [true; L], free, seed, 0);
         branches
     }
 
-    /// Turns the angles from the `first` one of the lanes that are `open`. Where more than one is
-    /// free, each turns after those before it.
-    fn turn<const N: usize, const L: usize>(
+    /// Moves the joints from the `first` one of the lanes that are `open`. Where more than one is
+    /// free, each moves after those before it.
+    fn move_from<const N: usize, const L: usize>(
         &self,
         branches: &mut Branches<N, L>,
         mut open: [bool; L],
-        free: &FreeAngles<L, F>,
+        free: &FreeJoints<L, F>,
         seed: &[Real; N],
         first: usize,
     ) where
-        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeAngles<L, F>),
+        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeJoints<L, F>),
     {
         for i in first..F {
             let is_asked = |k: usize| open[k] && free.leaves_none(k, i..=i);
@@ -232,7 +295,7 @@ impl<R, const F: usize> Turning<R, F> {
             let mut tried = None;
             for k in (0..L).filter(|&k| asked[k]) {
                 open[k] = false;
-                let levels = Levels::new(samples.map(|level| level[k]));
+                let levels = Levels::new(samples.map(|level| level[k]), self.joints[i]);
                 let turn = levels.roomiest();
                 let mut best = self.at(seed, i, turn);
                 let is_as_told = levels.tell(turn, best.free.level[i][k]);
@@ -244,14 +307,14 @@ impl<R, const F: usize> Turning<R, F> {
                 }
                 branches.set_lane(k, &best.branches);
                 let only = core::array::from_fn(|other| other == k);
-                self.turn(branches, only, &best.free, &best.seed, i + 1);
+                self.move_from(branches, only, &best.free, &best.seed, i + 1);
             }
         }
     }
 
-    /// Everything that a free angle makes room for.
+    /// Everything that a free joint makes room for.
     fn roots_of(&self, i: usize) -> impl Iterator<Item = usize> {
-        (0..F).filter(move |&j| self.coordinates[j] == self.coordinates[i])
+        (0..F).filter(move |&j| self.joints[j].coordinate == self.joints[i].coordinate)
     }
 
     /// Of turns all round the one that leaves each lane the most room, or the least to miss.
@@ -261,7 +324,7 @@ impl<R, const F: usize> Turning<R, F> {
         i: usize,
     ) -> [Room; L]
     where
-        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeAngles<L, F>),
+        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeJoints<L, F>),
     {
         let mut best = [Room::NONE; L];
         for turn in all_round() {
@@ -275,7 +338,7 @@ impl<R, const F: usize> Turning<R, F> {
 
     fn room<const L: usize>(
         &self,
-        free: &FreeAngles<L, F>,
+        free: &FreeJoints<L, F>,
         i: usize,
         k: usize,
         turn: Real,
@@ -293,14 +356,15 @@ impl<R, const F: usize> Turning<R, F> {
         seed: &[Real; N],
         i: usize,
         turn: Real,
-    ) -> Turned<N, L, F>
+    ) -> Moved<N, L, F>
     where
-        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeAngles<L, F>),
+        R: Fn(&[Real; N], Real) -> (Branches<N, L>, FreeJoints<L, F>),
     {
         let mut seed = *seed;
-        seed[self.coordinates[i]] += turn;
+        let FreeJoint { coordinate, slide } = self.joints[i];
+        seed[coordinate] += slide.unwrap_or(1.0) * turn;
         let (branches, free) = (self.run)(&seed, NEARLY_FREE);
-        Turned {
+        Moved {
             seed,
             branches,
             free,
