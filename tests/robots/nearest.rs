@@ -232,7 +232,7 @@ fn a_free_slide_moves_to_where_the_arm_reaches() {
             let solutions = arm.ik(&target);
             assert!(!solutions.is_empty(), "off by {off:e}: {q:?}");
             for solution in solutions.iter() {
-                let reached = arm.fk(&solution.q);
+                let reached = arm.fk(solution.q);
                 // A billionth of the arm's size.
                 assert!(reached.translation_distance(&target) < 1.7e-9, "{q:?}");
                 assert!(reached.rotation_distance(&target) < 1e-9, "{q:?}");

@@ -148,18 +148,33 @@ impl<const N: usize, const K: usize> Postures<N, K> {
         }
     }
 
-    /// Keeps the solutions in which a joint has some value, to within 1e-6; `turns`
-    /// where that is an angle.
+    /// Keeps the solutions in which a joint has some value, to within 1e-6, and of two that do, as next
+    /// to where a chain is stretched, the nearer; `turns` where that is an angle.
+    ///
+    /// ```
+    /// use kin_runtime::Postures;
+    /// let mut postures = Postures::<1, 1>::new([[0, 1]]);
+    /// [0.5, 0.500_000_4].map(|x| postures.push(0, 0, &[x]));
+    /// postures.keep(0, 0.5, true);
+    /// assert!(postures.iter().eq([[0.5]]));
+    /// ```
     pub fn keep(&mut self, joint: usize, value: f64, turns: bool) {
-        let chains = self.chains;
-        self.retain(|k, values| {
-            let [first, end] = chains[k];
-            if !(first..end).contains(&joint) {
-                return true;
-            }
-            let apart = values[joint - first] - value;
-            math::select(turns, math::wrap(apart), apart).abs() < 1e-6
-        });
+        let holds = |[first, end]: &[usize; 2]| (*first..*end).contains(&joint);
+        let Some(chain) = self.chains.iter().position(holds) else {
+            return;
+        };
+        let place = joint - self.chains[chain][0];
+        let apart = |values: &[f64]| {
+            let apart = values[place] - value;
+            math::select(turns, math::wrap(apart), apart).abs()
+        };
+        let nearest = self
+            .of_chain(chain)
+            .map(apart)
+            .fold(f64::INFINITY, f64::min);
+        // Rounding parts those that have the same value.
+        let most = (nearest + 1e-9).min(1e-6);
+        self.retain(|k, values| k != chain || apart(values) < most);
     }
 
     /// The configuration that is nearest to `seed` inside the limits, each

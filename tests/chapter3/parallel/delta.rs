@@ -216,3 +216,39 @@ fn the_inverse_jacobian_is_that_of_the_rods() {
         }
     }
 }
+
+/// Where an arm and its rod are in line its motor holds the platform in two ways that are one, and next to
+/// that in two that are near each other.
+#[test]
+fn assemblies_next_to_a_straight_leg_are_driven_as_asked() {
+    let mut random = Random::new(0xde17);
+    let (mut checked, mut worst) = (0, 0.0_f64);
+    for _ in 0..200 {
+        let out: [f64; 3] = std::array::from_fn(|_| random.between(-1.0, 1.0));
+        let at =
+            |way: f64| Pose::from_translation([out[0] * way, out[1] * way, -0.17 + out[2] * way]);
+        let (mut reached, mut beyond) = (0.0, 1.0);
+        for _ in 0..70 {
+            let middle = 0.5 * (reached + beyond);
+            match Delta.ik(&at(middle)).is_empty() {
+                true => beyond = middle,
+                false => reached = middle,
+            }
+        }
+        for short in [0.0, 1e-14, 1e-13, 1e-12, 1e-10] {
+            for q in Delta.ik(&at(reached - short)).iter().take(4) {
+                let asked = Delta.actuated(&q);
+                for found in &Delta.fk(&asked) {
+                    let driven = Delta.actuated(&found.q);
+                    let off = (0..3).map(|k| (asked[k] - driven[k]).abs());
+                    let off = off.fold(0.0, f64::max);
+                    worst = worst.max(off);
+                    checked += 1;
+                }
+            }
+        }
+    }
+    assert!(checked > 2000, "{checked}");
+    // The motor turns by the root of what rounding moves the platform by.
+    assert!(worst < 4e-7, "{worst:e}");
+}

@@ -399,14 +399,21 @@ fn spheres(compiled: &CompiledMechanism, rods: &[Rod]) -> String {
     let lengths: Vec<String> = rods.iter().map(|rod| signed(rod.length)).collect();
     let home = numbers(rows(&compiled.mechanism.home()));
     format!(
-        "\n{}\n/* Keeps the solutions of chains in which the actuated joints have these values, to 1e-6. */\n\
+        "\n{}\n/* Keeps the solutions of chains in which the actuated joints have these values, to 1e-6,\n \
+         * and of two that do, as next to where a chain is stretched, the nearer. */\n\
          static void kin_keep(kin_postures *postures, const double actuated[KIN_ACTUATED])\n{{\n    \
          for (int a = 0; a < KIN_ACTUATED; ++a) {{\n        \
          const int joint = kin_actuated[a];\n        int chain = 0;\n        \
          while (joint >= kin_chains[chain + 1]) {{\n            ++chain;\n        }}\n        \
+         double apart[KIN_MOST], nearest = HUGE_VAL, most;\n        \
          for (int b = 0; b < postures->counts[chain]; ++b) {{\n            \
-         const double apart = postures->q[b][joint] - actuated[a];\n            \
-         if (!(fabs(kin_turns[joint] ? kin_wrap(apart) : apart) < 1e-6)) {{\n                \
+         const double off = postures->q[b][joint] - actuated[a];\n            \
+         apart[b] = fabs(kin_turns[joint] ? kin_wrap(off) : off);\n            \
+         nearest = apart[b] < nearest ? apart[b] : nearest;\n        }}\n        \
+         /* Rounding parts those that have the same value. */\n        \
+         most = -kin_max(-nearest - 1e-9, -1e-6);\n        \
+         for (int b = 0; b < postures->counts[chain]; ++b) {{\n            \
+         if (!(apart[b] < most)) {{\n                \
          postures->places[chain][b] = -1;\n            }}\n        }}\n    }}\n}}\n\n\
          int kin_fk(const double actuated[KIN_ACTUATED], \
          kin_assembly assemblies[KIN_ASSEMBLY_MODES])\n{{\n    \
