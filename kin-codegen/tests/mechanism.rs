@@ -349,6 +349,82 @@ mechanism:
     }
 }
 
+/// A text with its numbers rounded to eight digits behind the point.
+fn rounded(text: &str) -> String {
+    let part = |part: &str| match part.parse::<f64>() {
+        Ok(x) if part.contains('.') => format!("{x:.8}"),
+        _ => part.to_owned(),
+    };
+    let ends = |c: char| "[], \n".contains(c);
+    text.split_inclusive(ends)
+        .map(|word| {
+            let number = word.trim_end_matches(ends);
+            part(number) + &word[number.len()..]
+        })
+        .collect()
+}
+
+/// Of parallel axes in a text, one is rounded in each loop.
+fn with_rounded_ends(text: &str) -> String {
+    let is_end = |line: &str| line.contains("name: e");
+    let line = |line: &str| {
+        if is_end(line) {
+            rounded(line)
+        } else {
+            line.into()
+        }
+    };
+    text.split_inclusive('\n').map(line).collect()
+}
+
+#[test]
+fn what_rounding_does_to_loops_is_told() {
+    let exact = delta(0.11, 0.12, Some((0.18, 0.3)), 0.53);
+    assert!(compiled(&exact).warnings.is_empty());
+    let text = with_rounded_ends(&exact.text);
+    let found = compiled(&Source { text, ..exact });
+    assert_eq!(found.inverse.unwrap().aim, Aim::Pose);
+    let told: Vec<&str> = found.warnings.iter().map(|it| &*it.reason).collect();
+    assert!(
+        matches!(told[..], [one] if one.contains("the platform turns by")),
+        "{told:?}"
+    );
+
+    // Four axes along (1, 2, 3), which has no end as a fraction of its length.
+    let unit = 14_f64.sqrt().recip();
+    let axis = format!("axis: [{}, {}, {}]", unit, 2.0 * unit, 3.0 * unit);
+    let point = |x: f64, y: f64| {
+        // Along (2, -1, 0) / √5 and across both.
+        let (a, b) = (5_f64.sqrt().recip(), 70_f64.sqrt().recip());
+        let at = [2.0 * a * x + 3.0 * b * y, 6.0 * b * y - a * x, -5.0 * b * y];
+        format!("point: [{}, {}, {}]", at[0], at[1], at[2])
+    };
+    let text = format!(
+        "robot: tilted\nunits: {{angle: rad, length: m}}\nmechanism:\n  home: {{xyz: [0, 0, 0]}}\n  \
+         chains:\n  - name: left\n    screws:\n    - {{name: crank, {axis}, {}, actuated: true}}\n    \
+         - {{name: coupler, {axis}, {}}}\n  - name: right\n    screws:\n    \
+         - {{name: rocker, {axis}, {}}}\n    - {{name: end, {axis}, {}}}\n",
+        point(0.0, 0.0),
+        point(0.2, 0.5),
+        point(1.3, 0.1),
+        point(1.1, 0.9)
+    );
+    let source = |text| Source {
+        path: "tilted.yaml".into(),
+        text,
+    };
+    assert_eq!(compiled(&source(text.clone())).freedom.platform, 1);
+    let Err(refused) = compile(&source(with_rounded_ends(&text)), &Options::default()) else {
+        panic!("it moves");
+    };
+    let refused = refused.to_string();
+    assert!(refused.contains("is immobile"), "{refused}");
+    assert!(
+        refused.contains("give axes and points with all digits"),
+        "{refused}"
+    );
+}
+
 /// Of a parallelogram it does, where the cranks are on different sides.
 #[test]
 fn every_assembly_of_a_parallelogram_is_a_target() {

@@ -42,8 +42,10 @@ const UPRIGHT: f64 = 1e-9;
 /// What is rounded to few digits turns by less, radians, where it would not.
 const NOISE: f64 = 1e-4;
 
-/// Freedoms that are lost by less, relative to the rest, are lost to rounding.
+/// Motions that are lost by so little, relative to the rest, are lost to few digits; by less they are
+/// not.
 const BARELY: f64 = 1e-5;
+const EXACT: f64 = 1e-13;
 
 impl Freedom {
     /// Counts freedoms at home and nearby.
@@ -115,7 +117,7 @@ impl Freedom {
                     mechanism.joints(),
                     self.gruebler
                 ),
-                self.precisely(&generic)
+                Self::precisely(&generic)
                     .unwrap_or_else(|| "check axes and points; a joint may be missing".to_owned()),
             )
         } else if self.platform == 0 {
@@ -144,7 +146,7 @@ impl Freedom {
                         n => format!("{n} leave"),
                     }
                 ),
-                self.precisely(&generic).unwrap_or_else(|| {
+                Self::precisely(&generic).unwrap_or_else(|| {
                     format!(
                         "leave out {} that can move while the platform rests, and {}",
                         joints(self.mobility - self.platform),
@@ -181,18 +183,16 @@ impl Freedom {
 }
 
 impl Freedom {
-    /// What to do where a motion is lost to rounding: axes that are parallel but for that.
-    fn precisely(&self, generic: &kin_runtime::Mechanism) -> Option<String> {
+    /// What to do where a motion is lost to rounding.
+    fn precisely(generic: &kin_runtime::Mechanism) -> Option<String> {
         let values = generic.structure(&vec![0.0; generic.joints()]);
         let largest = values.first()?;
-        let lost = values.get(values.len().checked_sub(self.mobility + 1)?)? / largest;
-        (lost < BARELY).then(|| {
-            format!(
-                "a motion is lost to {lost:.0e} of the others, as where axes that are meant to be \
-                 parallel or to meet are so but for rounding: give axes and points with all digits, \
-                 twelve behind the point"
-            )
-        })
+        let lost = values.iter().map(|value| value / largest);
+        let lost = lost.clone().find(|lost| (EXACT..BARELY).contains(lost))?;
+        Some(format!(
+            "a motion is lost by {lost:.0e}, as where axes that are meant to be parallel or to meet \
+             are so but for rounding: give axes and points with all digits, twelve behind the point"
+        ))
     }
 
     /// What is told of a platform that turns by so little that it is not meant to.
