@@ -302,6 +302,25 @@ fn a_check_as_json_lists_what_a_file_leaves_open() {
     );
     assert!(choice["remedy"].as_str().unwrap().contains("(tip)"));
     assert!(choice["line"].is_null());
+    assert_eq!(choice["severity"], "ambiguity");
+}
+
+#[test]
+fn a_check_as_json_has_the_warnings_of_what_is_solved() {
+    let checked = kin(&[
+        "check",
+        "--json",
+        "kin-codegen/tests/warned/empty_limits.urdf",
+    ]);
+    let json: serde_json::Value = serde_json::from_slice(&checked.stdout).unwrap();
+    let file = &json["files"][0];
+    assert_eq!(file["verdict"], "solved", "{file}");
+    let warnings = file["diagnostics"].as_array().unwrap();
+    assert!(!warnings.is_empty(), "{file}");
+    assert!(
+        warnings.iter().all(|it| it["severity"] == "warning"),
+        "{file}"
+    );
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn a_sweep_serves_programs() {
     let swept = check(&[&["--json", "--targets", "50", "--seed", "7"], &files[..]].concat());
     assert_eq!(swept.status.code(), Some(3), "the second file is refused");
     let json: Value = serde_json::from_slice(&swept.stdout).unwrap();
-    assert_eq!(json["schema"], 3);
+    assert_eq!(json["schema"], 4);
     let [solved, refused] = &json["files"].as_array().unwrap()[..] else {
         panic!("{json:#}");
     };

@@ -3,7 +3,7 @@
 use super::verdict::{Check, Verdict};
 use crate::json::pretty;
 use crate::sweep::{Replay, Tally};
-use kin_codegen::spec::Diagnostic;
+use kin_codegen::spec::{Diagnostic, Severity};
 use serde_json::{Value, json};
 
 /// What became of a robot file, and of what was tried on it.
@@ -15,7 +15,7 @@ pub(super) struct Checked {
 
 /// The version of the JSON. Grows when a field changes its meaning or goes; new
 /// fields may come without.
-const SCHEMA: u32 = 3;
+const SCHEMA: u32 = 4;
 
 /// One line, and below it what a sweep or a replay has to say.
 pub fn text(checked: &Checked) -> String {
@@ -60,7 +60,7 @@ fn file(checked: &Checked) -> Value {
         Verdict::Refused(all) | Verdict::Ambiguous(all) | Verdict::Broken(all) => {
             all.iter().map(diagnostic).collect()
         }
-        Verdict::Solved { .. } => Vec::new(),
+        Verdict::Solved { robot, .. } => robot.warnings().iter().map(diagnostic).collect(),
     };
     json!({
         "file": checked.check.path,
@@ -81,5 +81,10 @@ fn diagnostic(of: &Diagnostic) -> Value {
         "column": of.at.map(|at| at.column),
         "reason": of.reason,
         "remedy": of.remedy,
+        "severity": match of.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Ambiguity => "ambiguity",
+        },
     })
 }
