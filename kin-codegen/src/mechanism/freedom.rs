@@ -180,9 +180,7 @@ impl Freedom {
         };
         Err(refuse(mechanism, &spec.source, reason, remedy))
     }
-}
 
-impl Freedom {
     /// What to do where a motion is lost to rounding.
     fn precisely(generic: &kin_runtime::Mechanism) -> Option<String> {
         let values = generic.structure(&vec![0.0; generic.joints()]);
@@ -200,7 +198,7 @@ impl Freedom {
         let turned = self.barely_turns?;
         let reason = format!(
             "the platform turns by {turned:.0e} rad, as where rounding turns one that is not meant \
-             to: it is asked for whole poses, and has no closed-form forward kinematics"
+             to: it is not solved as one that keeps its orientation"
         );
         let remedy = "give axes and points with all digits, twelve behind the point, if it is to \
                       keep its orientation";

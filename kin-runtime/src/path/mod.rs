@@ -89,7 +89,8 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
             }));
         }
         layers.push(inside);
-        // A slide that is free stays where the seed has it, also where the rest does not reach.
+        // A joint that is free stays where the seed has it, or where a later root has the most room:
+        // there the rest may not reach.
         if all.is_empty() || all.iter().any(|solution| solution.singular) {
             singular.push(target);
         }
