@@ -1,15 +1,13 @@
 //! Joints that a singular target leaves free.
 //!
-//! Any value closes the step that asks for such a joint, but not every value leaves the
-//! steps behind it a real root: a UR with its wrist stretched can turn its
-//! elbow out of reach of the shoulder, and an arm in the plane of its rail may be too far along it.
-//! The branches have the seed's value.
-//! Where that leaves a later root none, the freedom is spent on it: its
-//! equation a cos θ + b sin θ = d has the more room the nearer d is to zero.
-//! As a function of a free angle φ d often is d₀ + d₁ cos φ + d₂ sin φ, and of a free slide x
-//! d₀ + d₁ x + d₂ x², which its values at three places tell. Where it is not, since angles in between
-//! follow the free joint,
-//! places all round are tried. They take more runs of the plan, which regular targets do not pay.
+//! Any value closes the step that asks for such a joint, but not every value leaves the steps behind
+//! it a real root: a UR with its wrist stretched can turn its elbow out of reach of the shoulder, and
+//! an arm in the plane of its rail may be too far along it. The branches have the seed's value. Where
+//! that leaves a later root none, the freedom is spent on it: its equation a cos θ + b sin θ = d has
+//! the more room the nearer d is to zero. As a function of a free angle φ d often is
+//! d₀ + d₁ cos φ + d₂ sin φ, and of a free slide x d₀ + d₁ x + d₂ x², which its values at three places
+//! tell. Where it is not, since angles in between follow the free joint, places all round are tried.
+//! They take more runs of the plan, which regular targets do not pay.
 
 use super::super::math;
 use super::super::scalar::Real;

@@ -202,7 +202,7 @@ fn branches(inverse: &InverseGraph) -> String {
          if (lanes->no_root[i][k] > 0.0) {{\n                \
          kin_move_free_joints(target, seed, given, lanes, 0, -1, lanes);\n                \
          return;\n            }}\n        }}\n    }}\n}}\n",
-        runtime::TURNING
+        runtime::MOVING
     )
 }
 

@@ -24,7 +24,7 @@ const PIECES: [&str; 15] = [
 /// The lanes, by the instructions at hand.
 pub const DISPATCH: &str = include_str!("runtime/dispatch.c");
 /// The lanes with free joints moved, behind this; as in `generated/free_joint.rs`.
-pub const TURNING: &str = include_str!("runtime/turning.c");
+pub const MOVING: &str = include_str!("runtime/moving.c");
 /// The joints that are solved for, as a target sees them.
 pub const SEEN: &str = include_str!("runtime/seen.c");
 /// The same, of an arm off its design with projected targets.

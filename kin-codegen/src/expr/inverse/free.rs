@@ -1,12 +1,11 @@
 //! What to do with a joint that a singular target leaves free.
 //!
-//! Any value would close the step at hand, and the branches take the seed's. But
-//! not every value leaves the steps behind it a real root: a UR with its wrist
-//! stretched can turn its elbow out of reach of the shoulder, and an arm in the plane of
-//! its rail may be too far along it. Where that is seen
-//! to lose targets, the branches say what later roots make of the free joints,
-//! and `kin_runtime::generated::free_joint` moves these where a root is none. Regular
-//! targets pay for two comparisons of each.
+//! Any value would close the step at hand, and the branches take the seed's. But not every value
+//! leaves the steps behind it a real root: a UR with its wrist stretched can turn its elbow out of
+//! reach of the shoulder, and an arm in the plane of its rail may be too far along it. Where that is
+//! seen to lose targets, the branches say what later roots make of the free joints, and
+//! [`kin_runtime::__private::free_joint`] moves these where a root is none. Regular targets pay for two
+//! comparisons of each.
 
 use super::{MayBeFree, Writer};
 use crate::expr::Expr;
