@@ -4,6 +4,7 @@ use kin_codegen::mechanism::{Aim, CompiledMechanism, ForwardMethod, Mechanism};
 use kin_codegen::spec::{ArmSpec, MechanismSpec, Spec};
 use kin_codegen::{Compiled, Ik, Options, Source, Target, compile, generate};
 use kin_runtime::Pose;
+use nalgebra::Vector3;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -378,49 +379,104 @@ fn with_rounded_ends(text: &str) -> String {
 }
 
 #[test]
-fn what_rounding_does_to_loops_is_told() {
+fn loops_that_rounding_opens_are_read_as_closed_and_told() {
+    let is_told = |found: &CompiledMechanism| {
+        let told: Vec<&str> = found.warnings.iter().map(|it| &*it.reason).collect();
+        assert!(
+            matches!(told[..], [one] if one.contains("the loops do not close as they are written")),
+            "{told:?}"
+        );
+    };
     let exact = delta(0.11, 0.12, Some((0.18, 0.3)), 0.53);
     assert!(compiled(&exact).warnings.is_empty());
     let text = with_rounded_ends(&exact.text);
     let found = compiled(&Source { text, ..exact });
-    assert_eq!(found.inverse.unwrap().aim, Aim::Pose);
-    let told: Vec<&str> = found.warnings.iter().map(|it| &*it.reason).collect();
-    assert!(
-        matches!(told[..], [one] if one.contains("the platform turns by")),
-        "{told:?}"
-    );
+    assert_eq!(found.inverse.as_ref().unwrap().aim, Aim::Translation);
+    is_told(&found);
 
     // Four axes along (1, 2, 3), which has no end as a fraction of its length.
     let unit = 14_f64.sqrt().recip();
-    let axis = format!("axis: [{}, {}, {}]", unit, 2.0 * unit, 3.0 * unit);
+    let along = |tilt: f64| format!("axis: [{}, {}, {}]", unit, 2.0 * unit, 3.0 * unit + tilt);
     let point = |x: f64, y: f64| {
         // Along (2, -1, 0) / √5 and across both.
         let (a, b) = (5_f64.sqrt().recip(), 70_f64.sqrt().recip());
         let at = [2.0 * a * x + 3.0 * b * y, 6.0 * b * y - a * x, -5.0 * b * y];
         format!("point: [{}, {}, {}]", at[0], at[1], at[2])
     };
-    let text = format!(
-        "robot: tilted\nunits: {{angle: rad, length: m}}\nmechanism:\n  home: {{xyz: [0, 0, 0]}}\n  \
-         chains:\n  - name: left\n    screws:\n    - {{name: crank, {axis}, {}, actuated: true}}\n    \
-         - {{name: coupler, {axis}, {}}}\n  - name: right\n    screws:\n    \
-         - {{name: rocker, {axis}, {}}}\n    - {{name: end, {axis}, {}}}\n",
-        point(0.0, 0.0),
-        point(0.2, 0.5),
-        point(1.3, 0.1),
-        point(1.1, 0.9)
-    );
-    let source = |text| Source {
-        path: "tilted.yaml".into(),
-        text,
+    let tilted = |by: f64| {
+        let axis = along(0.0);
+        let text = format!(
+            "robot: tilted\nunits: {{angle: rad, length: m}}\nmechanism:\n  home: {{xyz: [0, 0, 0]}}\n  \
+             chains:\n  - name: left\n    screws:\n    - {{name: crank, {axis}, {}, actuated: true}}\n    \
+             - {{name: coupler, {axis}, {}}}\n  - name: right\n    screws:\n    \
+             - {{name: rocker, {axis}, {}}}\n    - {{name: end, {}, {}}}\n",
+            point(0.0, 0.0),
+            point(0.2, 0.5),
+            point(1.3, 0.1),
+            along(by),
+            point(1.1, 0.9)
+        );
+        let path = "tilted.yaml".into();
+        Source { path, text }
     };
-    assert_eq!(compiled(&source(text.clone())).freedom.platform, 1);
-    let Err(refused) = compile(&source(with_rounded_ends(&text)), &Options::default()) else {
+    let exact = tilted(0.0);
+    let found = compiled(&exact);
+    assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+    assert_eq!(found.freedom.platform, 1);
+    let text = with_rounded_ends(&exact.text);
+    let found = compiled(&Source { text, ..exact });
+    assert_eq!(found.freedom.platform, 1);
+    is_told(&found);
+    // What is no rounding is refused as it is.
+    let Err(refused) = compile(&tilted(0.02), &Options::default()) else {
         panic!("it moves");
     };
     let refused = refused.to_string();
     assert!(refused.contains("is immobile"), "{refused}");
     assert!(
-        refused.contains("give axes and points with all digits"),
+        refused.contains("check axes and points; a joint may be missing"),
+        "{refused}"
+    );
+}
+
+/// The loop of a Bennett linkage closes by its lengths, which no relation between axes stands for.
+#[test]
+fn a_motion_that_rounding_takes_is_told_where_it_cannot_be_mended() {
+    // Opposite sides are equal; an axis is square to the links at its corner.
+    let (sin, cos) = 1.1_f64.sin_cos();
+    let corners: [Vector3<f64>; 4] = [
+        [1.0, 0.0, 0.3].into(),
+        [0.7 * cos, 0.7 * sin, -0.3].into(),
+        [-1.0, 0.0, 0.3].into(),
+        [-0.7 * cos, -0.7 * sin, -0.3].into(),
+    ];
+    let screw = |i: usize, digits: usize| {
+        let at = corners[i];
+        let [before, after] = [i + 3, i + 1].map(|i| corners[i % 4] - at);
+        let list =
+            |v: Vector3<f64>| format!("[{:.digits$}, {:.digits$}, {:.digits$}]", v.x, v.y, v.z);
+        let axis = list(before.cross(&after).normalize());
+        format!("axis: {axis}, point: {}", list(at))
+    };
+    let bennett = |digits: usize| {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|i| screw(i, digits));
+        let text = format!(
+            "robot: bennett\nunits: {{angle: rad, length: m}}\nmechanism:\n  home: {{xyz: [0, 0, 0]}}\n  \
+             chains:\n  - name: left\n    screws:\n    - {{name: crank, {a}, actuated: true}}\n    \
+             - {{name: coupler, {b}}}\n  - name: right\n    screws:\n    - {{name: rocker, {d}}}\n    \
+             - {{name: end, {c}}}\n",
+        );
+        let path = "bennett.yaml".into();
+        Source { path, text }
+    };
+    assert_eq!(compiled(&bennett(17)).freedom.platform, 1);
+    let Err(refused) = compile(&bennett(7), &Options::default()) else {
+        panic!("it moves");
+    };
+    let refused = refused.to_string();
+    assert!(refused.contains("is immobile"), "{refused}");
+    assert!(
+        refused.contains("give axes and points with all digits, twelve behind the point"),
         "{refused}"
     );
 }

@@ -5,6 +5,7 @@ use super::forward::{ForwardMethod, Loop};
 use super::freedom::Freedom;
 use super::inverse::{Aim, Inverse, LegForm, UnsolvedChain, forward_alone};
 use super::model::{Leg, Mechanism};
+use super::rounding::Reading;
 use crate::arm::CompiledArm;
 use crate::options::{Ik, Options};
 use crate::scalar::Scalar;
@@ -100,11 +101,11 @@ impl CompiledMechanism {
 }
 
 /// Of the file and of the chains; what several chains say is told once.
-fn warnings(spec: &MechanismSpec, mechanism: &Mechanism, freedom: &Freedom) -> Vec<Diagnostic> {
+fn warnings(spec: &MechanismSpec, reading: &Reading) -> Vec<Diagnostic> {
     let mut warnings = spec.warnings.clone();
-    let of_chains = mechanism.legs.iter().flat_map(|leg| &leg.model.warnings);
-    let barely = freedom.warning(mechanism, &spec.source);
-    for warning in of_chains.chain(&barely) {
+    let legs = reading.mechanism.legs.iter();
+    let of_chains = legs.flat_map(|leg| &leg.model.warnings);
+    for warning in of_chains.chain(&reading.warning(&spec.source)) {
         if !warnings.contains(warning) {
             warnings.push(warning.clone());
         }
@@ -142,9 +143,12 @@ pub(crate) fn compile(
     let source = &spec.source;
     let file = file_name(&source.path);
     let (base, platform) = (options.base.as_deref(), options.tip.as_deref());
-    let mechanism = Mechanism::new(spec, base, platform)?;
-    let freedom = Freedom::of(&mechanism);
-    freedom.check(&mechanism, spec)?;
+    let reading = Reading::of(Mechanism::new(spec, base, platform)?, spec);
+    reading.freedom.check(&reading.mechanism, spec)?;
+    let warnings = warnings(spec, &reading);
+    let Reading {
+        mechanism, freedom, ..
+    } = reading;
     let around = Loop::find(&mechanism, &freedom, file);
     let turns = around
         .as_ref()
@@ -166,7 +170,7 @@ pub(crate) fn compile(
     };
     let compiled = CompiledMechanism {
         file: file.to_owned(),
-        warnings: warnings(spec, &mechanism, &freedom),
+        warnings,
         legs: mechanism.legs.iter().enumerate().map(leg).collect(),
         mechanism,
         freedom,

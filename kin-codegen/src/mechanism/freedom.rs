@@ -23,6 +23,9 @@ pub struct Freedom {
     pub translates: bool,
     /// By how much the platform turns, radians, where that is so little that it is not meant to.
     pub barely_turns: Option<f64>,
+    /// By how much a motion is lost at home, relative to what constrains the joints, where that is so
+    /// little that it is not meant to be.
+    pub barely_lost: Option<f64>,
 }
 
 /// Steps of a drive away from home, and how many drives.
@@ -44,7 +47,7 @@ const NOISE: f64 = 1e-4;
 
 /// Motions that are lost by so little, relative to the rest, are lost to few digits; by less they are
 /// not.
-const BARELY: f64 = 1e-5;
+const BARELY: f64 = 1e-4;
 const EXACT: f64 = 1e-13;
 
 impl Freedom {
@@ -91,7 +94,14 @@ impl Freedom {
             samples,
             translates,
             barely_turns,
+            barely_lost: barely_lost(&generic),
         }
+    }
+
+    /// Whether nothing is to be refused, and neither a motion nor an orientation is lost to rounding.
+    pub(super) fn is_sound(&self, mechanism: &Mechanism, spec: &MechanismSpec) -> bool {
+        let is_rounded = self.barely_turns.is_some() || self.barely_lost.is_some();
+        !is_rounded && self.check(mechanism, spec).is_ok()
     }
 
     /// Refuses what cannot move, or not as its actuators want.
@@ -117,7 +127,7 @@ impl Freedom {
                     mechanism.joints(),
                     self.gruebler
                 ),
-                Self::precisely(&generic)
+                self.precisely()
                     .unwrap_or_else(|| "check axes and points; a joint may be missing".to_owned()),
             )
         } else if self.platform == 0 {
@@ -146,7 +156,7 @@ impl Freedom {
                         n => format!("{n} leave"),
                     }
                 ),
-                Self::precisely(&generic).unwrap_or_else(|| {
+                self.precisely().unwrap_or_else(|| {
                     format!(
                         "leave out {} that can move while the platform rests, and {}",
                         joints(self.mobility - self.platform),
@@ -182,11 +192,8 @@ impl Freedom {
     }
 
     /// What to do where a motion is lost to rounding.
-    fn precisely(generic: &kin_runtime::Mechanism) -> Option<String> {
-        let values = generic.structure(&vec![0.0; generic.joints()]);
-        let largest = values.first()?;
-        let lost = values.iter().map(|value| value / largest);
-        let lost = lost.clone().find(|lost| (EXACT..BARELY).contains(lost))?;
+    fn precisely(&self) -> Option<String> {
+        let lost = self.barely_lost?;
         Some(format!(
             "a motion is lost by {lost:.0e}, as where axes that are meant to be parallel or to meet \
              are so but for rounding: give axes and points with all digits, twelve behind the point"
@@ -233,6 +240,14 @@ pub(super) fn is_upright(mechanism: &Mechanism, q: &[f64]) -> bool {
 fn turned(mechanism: &Mechanism, q: &[f64]) -> f64 {
     let poses = mechanism.generic().poses(q);
     poses[0].rotation_distance(&mechanism.home())
+}
+
+/// By how much a motion is lost at home that is not meant to be.
+fn barely_lost(generic: &kin_runtime::Mechanism) -> Option<f64> {
+    let values = generic.structure(&vec![0.0; generic.joints()]);
+    let largest = values.first()?;
+    let mut lost = values.iter().map(|value| value / largest);
+    lost.find(|lost| (EXACT..BARELY).contains(lost))
 }
 
 /// The actuators' values a part of the way to where a drive ends.

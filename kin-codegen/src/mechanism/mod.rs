@@ -8,6 +8,7 @@
 //!   -> spec::MechanismSpec   chains, or a tree with loops; which joints are actuated
 //!   -> chains                from base to platform
 //!   -> model                 every chain as a Model; at home they end together
+//!   -> rounding              few digits: the exact mechanism that the file stands for
 //!   -> freedom               Grübler's formula and the rank; what cannot work is refused
 //!   -> inverse               chain by chain through the plan search, aimed at the platform
 //!   -> forward               closed form, if there is one; otherwise Newton's method
@@ -43,6 +44,7 @@ mod forward;
 mod freedom;
 mod inverse;
 mod model;
+mod rounding;
 mod summary;
 
 pub(crate) use compiled::compile;

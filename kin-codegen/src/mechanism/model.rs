@@ -3,14 +3,15 @@
 use super::chains::{Chains, chains};
 use crate::geometry::{Vec3, axes, concurrency, size};
 use crate::model::{JointKind, Model};
-use crate::spec::{ChainSpec, Collector, Diagnostics, Location, MechanismSpec};
+use crate::spec::{ChainSpec, Collector, Diagnostic, Diagnostics, Location, MechanismSpec};
 use kin_runtime::{Chain, Pose};
 use std::collections::HashSet;
 
-/// Chains that end further apart at home, relative to the mechanism's length,
-/// are not meant to be one mechanism; those that end nearer are joined by the
-/// platform as it is.
-const TOGETHER: f64 = 1e-6;
+/// Chains that end further apart at home, relative to their size, are not meant to be one mechanism;
+/// those that end nearer are joined by the platform as it is.
+const TOGETHER: f64 = 1e-4;
+/// This is told.
+const APART: f64 = 1e-6;
 
 /// A mechanism at home (all joint values 0), in the coordinates of its base;
 /// metres and radians.
@@ -109,7 +110,8 @@ impl Mechanism {
     /// Refuses chains that end elsewhere, and makes what is nearly one home the
     /// same home.
     fn join(&mut self, chains: &[ChainSpec], diagnostics: &mut Collector) {
-        let length = self.generic().length();
+        let sizes = self.legs.iter().map(|leg| size(&leg.model));
+        let size = sizes.fold(0.0, f64::max);
         let (first, home) = (self.legs[0].name.clone(), self.legs[0].model.home);
         for (leg, chain) in self.legs.iter_mut().zip(chains).skip(1) {
             let end = leg.model.home;
@@ -117,16 +119,23 @@ impl Mechanism {
                 end.translation_distance(&home),
                 end.rotation_distance(&home),
             );
-            if apart > TOGETHER * length || turned > TOGETHER {
-                let reason = format!(
-                    "with all joint values 0 the chain `{}` ends {apart:.6} m and {:.4}° away from \
-                     where `{first}` does: they hold no platform together",
-                    leg.name,
-                    turned.to_degrees()
-                );
+            let ends = format!(
+                "with all joint values 0 the chain `{}` ends {apart:.6} m and {:.4}° away from where \
+                 `{first}` does",
+                leg.name,
+                turned.to_degrees()
+            );
+            let most = turned.max(apart / size);
+            if most > TOGETHER {
+                let reason = format!("{ends}: they hold no platform together");
                 let remedy = "correct its geometry, or choose the zeros of its joints so that all \
                               chains are assembled there";
                 diagnostics.at(chain.at, reason, remedy);
+            } else if most > APART {
+                let reason = format!("{ends}: it holds the platform where it ends");
+                let remedy = "give axes and points with all digits, twelve behind the point";
+                let told = Diagnostic::at(chain.at, &chain.spec.source, reason, remedy);
+                leg.model.warnings.push(told.warning());
             }
             leg.model.home = home;
         }

@@ -3,7 +3,10 @@
 use crate::linear::vector::{add, cross, norm};
 use crate::{Pose, Twist};
 
-/// By how far the axes are from the base's origin, what is less is on all of them.
+/// A body that is nearer to all axes is where they are meant to meet, metres: calibrated ones miss by
+/// a tenth of a millimetre.
+const MEETING: f64 = 1e-4;
+/// Or nearer than this of how far the axes are from the base's origin.
 const ROUNDING: f64 = 1e-12;
 
 /// The characteristic length of joints that carry a body: how far the body's origin
@@ -24,7 +27,7 @@ pub fn characteristic_length(twists: &[Twist], home: &Pose) -> f64 {
     let largest = |most: f64, x: f64| most.max(x);
     let length = turning.clone().map(distance).fold(0.0, largest);
     let from_base = turning.map(|twist| norm(twist.linear)).fold(0.0, largest);
-    match length > ROUNDING * from_base {
+    match length > largest(MEETING, ROUNDING * from_base) {
         true => length,
         false => 1.0,
     }
@@ -59,6 +62,12 @@ mod tests {
             // On the axis alone.
             let alone = axis([0.0, 0.0, 1.0], [0.0; 3]);
             assert_eq!(seen(&[alone; 3]), 1.0);
+        }
+        // All through the base's origin, but for rounding, or for few digits.
+        for off in [1e-17, 1e-12, 1e-5] {
+            let near = |direction| axis(direction, [off, -2.0 * off, 3.0 * off]);
+            let wrist = [near([0.0, 0.0, 1.0]), near([0.0, 1.0, 0.0])];
+            assert_eq!(characteristic_length(&wrist, &Pose::IDENTITY), 1.0);
         }
     }
 }
