@@ -322,3 +322,62 @@ fn similar_hexagons_are_singular_everywhere() {
     let (regular, ..) = stewart(0.2, 0.3, 1.0);
     assert!(regular.actuator_singularity(&[0.0; 36]) > 0.1);
 }
+
+/// Numbers from −1 to 1, always the same.
+fn random(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+/// Next to where their legs are stretched few configurations close.
+#[test]
+fn a_platform_on_nearly_straight_legs_moves() {
+    for bend in [0.3, 0.1, 0.03, 0.01, 0.003, -0.003, -0.01, -0.1, -0.3] {
+        let legs = [0.2, 2.4, 4.4].map(|angle: f64| {
+            let [foot, head] =
+                [1.0, 0.3].map(|far| Vector3::new(angle.cos(), angle.sin(), 0.0) * far);
+            let across = Vector3::z().cross(&(head - foot)) * (bend / 4.0);
+            let knee = (foot + head) / 2.0 + across;
+            let axes = [foot, knee, head].map(|at| turn(at.x, at.y));
+            Chain::new(axes.to_vec(), Pose::IDENTITY)
+        });
+        let platform = Mechanism::new(legs.to_vec(), vec![0, 3, 6]);
+        assert!(platform.is_mobile(), "{bend}");
+        assert_eq!(platform.mobility(), 3, "{bend}");
+    }
+}
+
+/// Cranks and rods, at random: some knees are nearly stretched.
+#[test]
+fn hexapods_move() {
+    for seed in 1..=60 {
+        let mut random = random(seed);
+        let mut near = |point: [f64; 3], by: f64| Vector3::from(point.map(|x| x + by * random()));
+        let legs: Vec<Chain> = (0..6)
+            .map(|i| {
+                let (sin, cos) = (std::f64::consts::FRAC_PI_3 * f64::from(i)).sin_cos();
+                let foot = near([cos, sin, 0.0], 0.2);
+                let knee = near([1.2 * cos, 1.2 * sin, 0.3], 0.2);
+                let head = near([0.5 * cos, 0.5 * sin, 0.9], 0.2);
+                let rod = (head - knee).normalize();
+                let drive = near([0.0; 3], 1.0).cross(&(knee - foot)).normalize();
+                let first = rod.cross(&near([0.0; 3], 1.0)).normalize();
+                let knees = [first, rod.cross(&first)]
+                    .map(|axis| Twist::revolute(axis.into(), knee.into()));
+                let ball = [Z, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
+                let ball = ball.map(|axis| Twist::revolute(axis, head.into()));
+                let drive = Twist::revolute(drive.into(), foot.into());
+                let home = Pose::from_translation([0.0, 0.0, 0.9]);
+                Chain::new([&[drive], &knees[..], &ball].concat(), home)
+            })
+            .collect();
+        let hexapod = Mechanism::new(legs, (0..6).map(|i| 6 * i).collect());
+        assert!(hexapod.is_mobile(), "{seed}");
+        assert_eq!(hexapod.mobility(), 6, "{seed}");
+    }
+}

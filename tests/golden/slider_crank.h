@@ -120,7 +120,7 @@ typedef struct slider_crank_assembly {
     double q[SLIDER_CRANK_JOINTS];
     /* How far the loops are from closed, metres. */
     double residual;
-    /* Which of the assembly modes this is, below SLIDER_CRANK_ASSEMBLY_MODES. */
+    /* Which of the assembly modes this is, as branches of an arm are numbered. */
     int branch;
     /* Not 0 where two modes have met. */
     int singular;

@@ -98,7 +98,7 @@ pub struct InverseExplanation {
 pub struct ForwardExplanation {
     /// In words.
     pub method: String,
-    /// Assemblies looked at; 0 if it takes a seed.
+    /// Assembly modes found at most; 0 if it takes a seed.
     pub assembly_modes: usize,
 }
 

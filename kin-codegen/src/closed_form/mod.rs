@@ -177,6 +177,14 @@ impl ClosedForm {
         }
     }
 
+    /// How many solutions a target has at most: its branches, and what an elimination finds beside them.
+    pub fn most_solutions(&self) -> usize {
+        match self.elimination() {
+            Some(_) => Solutions::<6>::CAPACITY,
+            None => self.plan.branches(),
+        }
+    }
+
     /// For which targets an elimination completes the branches of an exact arm.
     pub fn completion(&self) -> Completion {
         match self.refinement {

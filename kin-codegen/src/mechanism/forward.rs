@@ -5,6 +5,7 @@ use super::freedom::{Freedom, is_upright};
 use super::inverse::{Aim, Inverse, SAME, forward_alone, solved};
 use super::model::{Leg, Mechanism, meeting_point};
 use crate::arm::CompiledArm;
+use crate::closed_form::ClosedForm;
 use crate::geometry::{Vec3, norm, sub};
 use crate::model::{Joint, Model};
 use crate::plan::Target;
@@ -69,10 +70,13 @@ impl ForwardMethod {
         ForwardMethod::Newton
     }
 
-    /// How many assembly modes it looks at; 0 without a closed form.
+    /// How many assembly modes it finds at most; 0 without a closed form.
     pub fn assembly_modes(&self) -> usize {
         match self {
-            ForwardMethod::Loop(found) => found.passive.branches(),
+            ForwardMethod::Loop(found) => {
+                let form = found.passive.form();
+                form.map_or(0, ClosedForm::most_solutions)
+            }
             ForwardMethod::Spheres(_) => 2,
             ForwardMethod::Newton => 0,
         }

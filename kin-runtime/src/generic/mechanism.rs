@@ -254,15 +254,15 @@ impl Mechanism {
         for (joint, value) in self.actuated.iter().zip(actuated) {
             q[*joint] = *value;
         }
-        let gap = self.close(&mut q);
+        let gap = self.close_with(&self.actuated, &mut q);
         (gap <= 1e-12 * self.length).then_some(q)
     }
 
-    /// Closes the loops with the actuated joints as they are.
-    fn close(&self, q: &mut [f64]) -> f64 {
+    /// Closes the loops with the joints of these numbers as they are: how far they are from closed.
+    pub(super) fn close_with(&self, held: &[usize], q: &mut [f64]) -> f64 {
         let task = Task {
             chains: &self.ranges,
-            actuated: &self.actuated,
+            actuated: held,
             length: self.length,
         };
         let evaluate = |q: &[f64], poses: &mut [Pose], twists: &mut [Twist]| {
@@ -275,36 +275,6 @@ impl Mechanism {
         let mut limbs: Vec<Limb> = self.chains.iter().map(|_| Limb::NONE).collect();
         let (poses, twists) = (&mut poses, &mut twists);
         close(task, evaluate, q, &mut best, poses, twists, &mut limbs)
-    }
-
-    /// Up to eight closed configurations near home, always the same: none if
-    /// the mechanism is stuck there.
-    pub fn neighbours(&self) -> Vec<Vec<f64>> {
-        let n = self.joints();
-        // Nothing is held: Newton's method finds the nearest closed posture.
-        let free = Mechanism {
-            actuated: Vec::new(),
-            ..self.clone()
-        };
-        let mut found = Vec::new();
-        for k in 0..8 {
-            let mut q: Vec<f64> = (0..n)
-                .map(|i| {
-                    let unit = if self.is_prismatic(i) {
-                        self.length
-                    } else {
-                        1.0
-                    };
-                    0.1 * unit * libm::sin(1.0 + 2.4 * i as f64 + 3.7 * f64::from(k))
-                })
-                .collect();
-            let gap = free.close(&mut q);
-            let moved = q.iter().any(|x| x.abs() > 1e-3);
-            if gap <= 1e-12 * self.length && moved {
-                found.push(q);
-            }
-        }
-        found
     }
 
     pub(super) fn is_prismatic(&self, joint: usize) -> bool {

@@ -8,6 +8,7 @@ mod descent;
 mod given;
 mod half_plane;
 mod mechanism;
+mod neighbours;
 mod search;
 mod starts;
 

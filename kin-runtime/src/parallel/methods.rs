@@ -40,7 +40,7 @@ macro_rules! parallel_methods {
                 /// How many branches each chain's inverse kinematics looks at; 0 if it was
                 /// not generated.
                 const BRANCHES: [usize; $k];
-                /// How many assembly modes closed-form forward kinematics looks at; 0 if there
+                /// How many assembly modes closed-form forward kinematics finds at most; 0 if there
                 /// is none, and [`Self::fk_near`] has to do.
                 const ASSEMBLY_MODES: usize;
             }

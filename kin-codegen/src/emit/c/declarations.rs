@@ -12,7 +12,6 @@ use crate::geometry::Coupling;
 use crate::model::Model;
 use crate::plan::Target;
 use crate::redundancy::Redundancy;
-use kin_runtime::Solutions;
 use std::fmt::Write as _;
 
 const CONVENTIONS: &str = include_str!("runtime/conventions.h");
@@ -94,11 +93,7 @@ fn sizes(compiled: &CompiledArm) -> String {
             "/* How many branches inverse kinematics looks at. */"
         );
         let _ = writeln!(sizes, "#define KIN_BRANCHES {branches}");
-        let solutions = match form.elimination() {
-            Some(_) => Solutions::<6>::CAPACITY,
-            None => branches,
-        };
-        let _ = writeln!(sizes, "#define KIN_MAX_SOLUTIONS {solutions}");
+        let _ = writeln!(sizes, "#define KIN_MAX_SOLUTIONS {}", form.most_solutions());
         if let Some(redundancy) = &compiled.redundancy {
             let _ = writeln!(
                 sizes,

@@ -4,7 +4,7 @@ typedef struct kin_assembly {
     double q[KIN_JOINTS];
     /* How far the loops are from closed, metres. */
     double residual;
-    /* Which of the assembly modes this is, below KIN_ASSEMBLY_MODES. */
+    /* Which of the assembly modes this is, as branches of an arm are numbered. */
     int branch;
     /* Not 0 where two modes have met. */
     int singular;
