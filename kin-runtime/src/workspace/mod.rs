@@ -113,6 +113,9 @@ impl Workspace {
 
     /// Whether the tip reaches a point, with some orientation.
     pub fn is_reachable(&self, point: [f64; 3]) -> bool {
+        if point.iter().any(|x| !x.is_finite()) {
+            return false;
+        }
         match &self.kind {
             Kind::Planar(planar) => planar.is_reachable(point),
             Kind::Shoulder(shoulder) => shoulder.is_reachable(point),

@@ -12,7 +12,7 @@ use crate::Chain;
 use crate::generic::chain::is_prismatic;
 use crate::linear::vector::{dot, norm, sub};
 
-/// Rounding, relative to the arm's size.
+/// Rounding, relative to the lengths that are computed with.
 const ROUNDING: f64 = 1e-12;
 
 /// Revolute joints about parallel axes, and slides along them.
@@ -75,18 +75,21 @@ impl Planar {
 
     fn distance(&self, point: [f64; 3]) -> Option<f64> {
         let above = dot(sub(point, self.first.point), self.first.direction);
-        let in_plane = |height: f64| (above - height).abs() <= EXACT * self.size();
+        let in_plane = |height: f64| (above - height).abs() <= EXACT * self.size(point);
         let is_there = self.height.is_none_or(in_plane);
         is_there.then(|| norm(self.first.offset(point)))
     }
 
-    fn size(&self) -> f64 {
-        self.lengths.iter().sum()
+    /// The arm's size, and how far a point is from its first axis and that from the base: links may
+    /// all be zero.
+    fn size(&self, point: [f64; 3]) -> f64 {
+        let arm: f64 = self.lengths.iter().sum();
+        arm + norm(sub(point, self.first.point)) + norm(self.first.point)
     }
 
     pub(super) fn is_reachable(&self, point: [f64; 3]) -> bool {
         let [inner, outer] = self.reachable();
-        let rounding = ROUNDING * self.size();
+        let rounding = ROUNDING * self.size(point);
         let within = |r: f64| r >= inner - rounding && r <= outer + rounding;
         self.distance(point).is_some_and(within)
     }
@@ -97,7 +100,42 @@ impl Planar {
             return false;
         };
         let [inner, outer] = Self::span(carrying);
-        let rounding = ROUNDING * self.size();
+        let rounding = ROUNDING * self.size(point);
         (r - last).abs() >= inner - rounding && r + last <= outer + rounding
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear::vector::scale;
+    use crate::{Pose, Twist};
+
+    /// A slide along the axis of the one joint that turns, with the tip on it: all links are zero.
+    #[test]
+    fn a_slide_on_the_axis_reaches_all_of_it() {
+        let axis = scale(1.0 / libm::sqrt(14.0), [1.0, 2.0, 3.0]);
+        let foot = [0.3, -0.2, 0.7];
+        let at = |along: f64| core::array::from_fn(|i| foot[i] + along * axis[i]);
+        let joints = [Twist::revolute(axis, foot), Twist::prismatic(axis)];
+        let slide = Planar::of(&Chain::new(
+            joints.to_vec(),
+            Pose::from_translation(at(0.4)),
+        ));
+        let slide = slide.unwrap();
+        let alone = Planar::of(&Chain::new(
+            joints[..1].to_vec(),
+            Pose::from_translation(at(0.4)),
+        ));
+        let alone = alone.unwrap();
+        for k in -20..20 {
+            let along = 0.173 * f64::from(k);
+            let mut point = at(along);
+            assert!(slide.is_reachable(point), "{along}");
+            assert!(!alone.is_reachable(point), "{along}");
+            point[0] += 1e-9;
+            assert!(!slide.is_reachable(point), "{along}");
+        }
+        assert!(alone.is_reachable(at(0.4)));
     }
 }
