@@ -354,3 +354,25 @@ fn no_plan_is_told_of_twice() {
         }
     }
 }
+
+/// Two joints about one direction behind three about another: five ways in all.
+#[test]
+fn a_square_jacobian_that_is_singular_everywhere_is_told() {
+    let text = "robot: deficient\nunits: {angle: deg, length: m}\njoints:\n\
+        - {name: j1, axis: [0, 0, 1]}\n\
+        - {name: j2, xyz: [0.4, 0, 0], axis: [0, 0, 1]}\n\
+        - {name: j3, xyz: [0.3, 0, 0], axis: [0, 0, 1]}\n\
+        - {name: j4, type: prismatic, axis: [0, 0, 1]}\n\
+        - {name: j5, xyz: [0.1, 0, 0], axis: [0, 1, 0]}\n\
+        - {name: j6, xyz: [0, 0, 0.2], axis: [0, 1, 0]}\n\
+        tip: {xyz: [0.1, 0, 0]}\n";
+    let source = Source {
+        path: "deficient.yaml".into(),
+        text: text.into(),
+    };
+    let explained = told(&source).to_string();
+    assert!(
+        explained.contains("The Jacobian has less than full rank everywhere"),
+        "{explained}"
+    );
+}

@@ -239,6 +239,10 @@ impl Display for Singularities {
 pub(super) const NOT_SQUARE: &str = "  The Jacobian is not square: its rank is measured by its \
                                      singular values, or by the root of det(J Jᵀ) or det(Jᵀ J).";
 
+/// What is said of an arm whose square Jacobian is singular everywhere.
+pub(super) const DEFICIENT: &str = "  The Jacobian has less than full rank everywhere: where it has \
+                                    still less is told by its singular values.";
+
 /// What is said of an arm whose joints mimic each other.
 pub(super) const COUPLED: &str = "  They are not looked for where joints mimic others: the rank of \
                                   the Jacobian is measured by its singular values.";

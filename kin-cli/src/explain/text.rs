@@ -1,6 +1,6 @@
 //! An explanation as text for a terminal.
 
-use super::singular::{COUPLED, NOT_SQUARE};
+use super::singular::{COUPLED, DEFICIENT, NOT_SQUARE};
 use super::{
     ArmExplanation, Chain, FixedFrame, Idealization, Inverse, Joint, JointMotion, KeptJoint, Step,
     Weighed, write_refusal, write_warnings,
@@ -42,6 +42,7 @@ impl Display for ArmExplanation {
             None if self.chain.joints.iter().any(|joint| joint.mimic.is_some()) => {
                 writeln!(f, "{COUPLED}\n")?;
             }
+            None if joints.len() == 6 => writeln!(f, "{DEFICIENT}\n")?,
             None => writeln!(f, "{NOT_SQUARE}\n")?,
         }
         writeln!(f, "Inverse kinematics")?;

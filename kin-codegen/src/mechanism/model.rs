@@ -88,23 +88,8 @@ impl Mechanism {
             at: spec.at,
         };
         let mut diagnostics = Collector::new(&spec.source);
-        mechanism.refuse_coupled(&chains, &mut diagnostics);
         mechanism.join(&chains, &mut diagnostics);
         diagnostics.unless_any(Some(mechanism))
-    }
-
-    fn refuse_coupled(&self, chains: &[ChainSpec], diagnostics: &mut Collector) {
-        for (leg, chain) in self.legs.iter().zip(chains) {
-            if leg.model.is_coupled() {
-                let reason = format!(
-                    "some joints of the chain `{}` mimic others, and in a mechanism the loops \
-                     alone couple joints",
-                    leg.name
-                );
-                let remedy = "remove `mimic`, or describe the gear as a chain of its own";
-                diagnostics.at(chain.at, reason, remedy);
-            }
-        }
     }
 
     /// Refuses chains that end elsewhere, and makes what is nearly one home the

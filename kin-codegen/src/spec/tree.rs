@@ -66,7 +66,12 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
         );
         return None;
     }
-    let joints = index("joint", draft.joints.iter().map(|j| &j.name), diagnostics);
+    let mut joints = index("joint", draft.joints.iter().map(|j| &j.name), diagnostics);
+    // Of what can be mimicked; the file may not even name the others.
+    let mut kinds = draft.joints.iter().map(|joint| joint.kind);
+    joints
+        .names
+        .retain(|_| kinds.next() != Some(JointType::Fixed));
     let links = index("link", draft.links.iter(), diagnostics);
     if draft.name.chars().count() > bounds::NAME {
         let reason = format!(
@@ -201,6 +206,15 @@ fn resolve(
     })
 }
 
+/// Refuses a joint of a mechanism that mimics another.
+pub(super) fn refuse_mimic(joint: &str, at: Location, diagnostics: &mut Collector) {
+    let reason =
+        format!("joint `{joint}` mimics another, and in a mechanism the loops alone couple joints");
+    let remedy = "remove `mimic` where the loops move the joint as it says; gears inside of loops are \
+                  not solved";
+    diagnostics.at(at, reason, remedy);
+}
+
 fn resolve_mimic(
     joint: &str,
     mimic: &DraftMimic,
@@ -214,7 +228,9 @@ fn resolve_mimic(
     } = mimic;
     let Some(&found) = joints.by_name.get(text.as_str()) else {
         let reason = format!("joint `{joint}` mimics `{text}`, and there is no such joint");
-        diagnostics.at(*at, reason, diagnostics.nearest_of(text, &joints.names));
+        let others = joints.names.iter().copied().filter(|it| *it != joint);
+        let remedy = diagnostics.nearest_of(text, &others.collect::<Vec<_>>());
+        diagnostics.at(*at, reason, remedy);
         return None;
     };
     Some(Mimic {

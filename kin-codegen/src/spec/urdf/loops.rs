@@ -24,7 +24,7 @@
 use super::checks::{check_attributes, place, refuse_text, required};
 use super::parts::Parts;
 use super::{elements, numbers, origin, vocabulary};
-use crate::spec::tree::Name;
+use crate::spec::tree::{Name, refuse_mimic};
 use crate::spec::{
     ArmSpec, Collector, Joint, JointType, Limits, Location, LoopedTree, MechanismSpec, Rating,
     Topology, bounds, did_you_mean,
@@ -343,11 +343,7 @@ fn refuse_repeated(spec: &ArmSpec, diagnostics: &mut Collector) {
 fn refuse_mimics(spec: &ArmSpec, diagnostics: &mut Collector) {
     for joint in &spec.joints {
         if let Some(mimic) = joint.mimic {
-            let reason = format!(
-                "joint `{}` mimics another, and in a mechanism the loops alone couple joints",
-                joint.name
-            );
-            diagnostics.at(mimic.at, reason, "remove <mimic>");
+            refuse_mimic(&joint.name, mimic.at, diagnostics);
         }
     }
 }

@@ -192,6 +192,11 @@ fn chain(
         );
         return None;
     }
+    for row in &rows {
+        if let Some(mimic) = &row.mimic {
+            tree::refuse_mimic(&row.name.text, mimic.joint.at, &mut reader.diagnostics);
+        }
+    }
     let at = name.at;
     let actuated = rows
         .iter()
