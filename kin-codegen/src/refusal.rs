@@ -46,8 +46,8 @@ impl Refusal {
                  kinematics and Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Mimic(_)) => {
-                "name a link in front of the joints that mimic others as the tip, if the arm ends \
-                 there; `ik = none` generates forward kinematics and Jacobians alone"
+                "name a link in front of the joints that mimic others as the tip, or one behind them as \
+                 the base, if the arm ends there; `ik = none` generates forward kinematics and Jacobians alone"
             }
             Reason::Arm(NoClosedForm::Tilted { .. }) => {
                 "leave out `target`, or choose `position` or `position_axis`; `ik = none` \
@@ -83,6 +83,11 @@ impl Refusal {
                 "choose another `target`: no joint of this chain changes what counts of this one. `ik = \
                  none` generates forward kinematics and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Free { reason, .. }) if self.takes_a_turn(reason) => {
+                "name one joint less by `free`: the turn of the tool about its axis is given in its \
+                 place; or let others stay free, those at an end of the chain first. `ik = none` \
+                 generates forward kinematics and Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Free { .. }) => {
                 "let other joints stay free by `free`, those at an end of the chain first; `ik = none` \
                  generates forward kinematics and Jacobians alone"
@@ -105,6 +110,16 @@ impl Refusal {
         };
         let arm = self.robot.arm().filter(|arm| !arm.model.is_coupled());
         arm.is_some_and(|arm| rank(&arm.model, *target) == 0)
+    }
+
+    /// Whether the turn of the tool could be given in place of one of the joints that are.
+    fn takes_a_turn(&self, reason: &NoClosedForm) -> bool {
+        let (NoClosedForm::NoPlan(target) | NoClosedForm::Singular { target, .. }) = reason else {
+            return false;
+        };
+        let arm = self.robot.arm().filter(|arm| !arm.model.is_coupled());
+        let turns = |model| rank(model, Target::Pose) > rank(model, Target::PositionAxis);
+        *target == Target::PositionAxis && arm.is_some_and(|arm| turns(&arm.model))
     }
 
     /// Why, in a sentence.

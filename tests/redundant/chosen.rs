@@ -313,6 +313,22 @@ fn an_inner_joint_without_a_closed_form_is_refused() {
     );
     let remedy = "let other joints stay free by `free`, those at an end of the chain first";
     assert!(said.contains(remedy), "{said}");
+    // Of a tool's position and axis two are given, of which one may be its turn.
+    let along = |joints: &[&str]| Options {
+        target: Some(Target::PositionAxis),
+        ..free(joints)
+    };
+    let text = text.replace("d: 36, a: 0, alpha: 0,", "d: 36, a: 20, alpha: 40,");
+    let tilted = Source { text, ..dual };
+    let said = compile(&tilted, &along(&["a", "b"]))
+        .unwrap_err()
+        .to_string();
+    let remedy =
+        "name one joint less by `free`: the turn of the tool about its axis is given in its place";
+    assert!(said.contains(remedy), "{said}");
+    let followed = compile(&tilted, &along(&["a"])).unwrap();
+    let followed = followed.arm().unwrap().redundancy.as_ref().unwrap();
+    assert_eq!(followed.parameters(), 2);
     // Turning the elbow of an SRS arm changes how far it reaches.
     assert_refused(
         "../robots/iiwa14.yaml",

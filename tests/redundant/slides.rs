@@ -1,16 +1,22 @@
 //! Slides whose stops are far away, or are not there.
 
-use kinematics::{Criterion, Pose, Robot, RobotOptions, RobotSource};
+use crate::random::Random;
+use kinematics::{Criterion, JointLimit, Pose, Robot, RobotOptions, RobotSource};
 use std::f64::consts::PI;
 use std::path::Path;
 
 /// The UR5e on a rail with other stops, millimetres.
 fn rail(stops: &str) -> Robot {
+    loaded(stops, "rail")
+}
+
+/// With one joint given.
+fn loaded(stops: &str, given: &str) -> Robot {
     let path = "robots/redundant/rail.yaml";
     let mut source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
     source.text = source.text.replace(", limits: [-1500, 1500]", stops);
     let options = RobotOptions {
-        free: vec!["rail".into()],
+        free: vec![given.into()],
         ..RobotOptions::default()
     };
     Robot::load(&source, &options).unwrap()
@@ -77,4 +83,37 @@ fn what_has_no_ends_is_not_swept() {
     // The ends are as far away as the arm does not reach, both of them.
     assert_eq!((counts[0][0], counts[0][6]), (0, 0));
     assert!(counts[0][3] > 0 && counts[1].is_empty(), "{counts:?}");
+}
+
+/// Between two stops that are near each other a joint is so shortly that samples do not see it.
+#[test]
+fn narrow_stops_leave_short_intervals() {
+    let arm = loaded("", "shoulder_pan");
+    let along = arm.along(0, &[0.0]);
+    let mut random = Random::new(31);
+    for wide in [1e-2, 1e-4, 1e-6, 1e-7] {
+        for _ in 0..10 {
+            let mut q: [f64; 7] = std::array::from_fn(|_| random.angle());
+            q[0] *= 0.2;
+            let pose = arm.fk(&q);
+            for narrow in [0, 2, 5] {
+                let from = q[narrow] - random.between(0.2, 0.8) * wide;
+                let mut limits = arm.limits().to_vec();
+                limits[narrow] = match narrow {
+                    0 => JointLimit::prismatic(from, from + wide),
+                    _ => JointLimit::revolute(from, from + wide),
+                };
+                let within = along.feasible_within(&pose, &limits);
+                let of = (wide, narrow, q);
+                assert!(
+                    within.iter().any(|it| it.contains(q[1])),
+                    "{of:?}: {within:?}"
+                );
+                for interval in &within {
+                    let value = limits[narrow].nearest(interval.middle[narrow], 0.0);
+                    assert!(value.is_some(), "{of:?}: {interval:?}");
+                }
+            }
+        }
+    }
 }

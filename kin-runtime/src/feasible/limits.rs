@@ -21,7 +21,9 @@ const HALVINGS: usize = 32;
 /// that rests there crosses nothing.
 const BEYOND: f64 = 0.1 * JointLimit::TOLERANCE;
 /// How near two stops are that leave a single value between them, radians or metres.
-const NARROW: f64 = 1e-6;
+const NARROW: f64 = 1e-8;
+/// A range of turns below this has two ends that are looked for one by one, to both sides of its middle.
+const APART: f64 = 0.1;
 /// Parts that are nearer to each other are one: at a single value, an angle that is free may be
 /// told beyond a limit.
 const SAME: f64 = 1e-9;
@@ -132,23 +134,30 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         if turns && half >= PI || lower == f64::NEG_INFINITY && upper == f64::INFINITY {
             continue;
         }
-        let least = math::sin_cos(half).1;
-        let inside = |q: f64| match turns {
-            true if is_narrow(*stop) => math::sin_cos(q - middle).0,
-            false if is_narrow(*stop) => bounded(q - middle),
-            // Steady where the angle wraps.
-            true => math::sin_cos(q - middle).1 - least,
-            // A slide may run to infinity along the parameter.
-            false if half.is_finite() => {
-                let share = (q - middle) / half;
-                (1.0 - share * share) / (1.0 + share * share)
-            }
-            false if lower.is_finite() => bounded(q - lower),
-            false => bounded(upper - q),
+        let mut cross = |side: &dyn Fn(f64) -> f64| {
+            // Where there is no solution it crosses nothing.
+            let f = |variable: f64| at(variable).map_or(1.0, |x| side(task.q(&x)[joint]));
+            found.extend(zeros(&cosines, &f, whole.from, whole.to, PIECES).crossing);
         };
-        // Where there is no solution it crosses nothing.
-        let f = |variable: f64| at(variable).map_or(1.0, |x| inside(task.q(&x)[joint]));
-        found.extend(zeros(&cosines, &f, whole.from, whole.to, PIECES).crossing);
+        if turns && half > APART {
+            // Steady where the angle wraps.
+            let least = math::sin_cos(half).1;
+            cross(&|q| math::sin_cos(q - middle).1 - least);
+            continue;
+        }
+        // Between two bounds that are near each other a joint is so shortly that no sample sees it.
+        let bounds = match is_narrow(*stop) {
+            true => [middle, f64::NAN],
+            false => [lower, upper],
+        };
+        for bound in bounds.into_iter().filter(|bound| bound.is_finite()) {
+            match turns {
+                // Also half a turn away, where it crosses nothing that counts.
+                true => cross(&|q| math::sin_cos(q - bound).0),
+                // A slide may run to infinity along the parameter.
+                false => cross(&|q| bounded(q - bound)),
+            }
+        }
     }
     found
 }

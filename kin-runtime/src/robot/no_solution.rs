@@ -17,7 +17,7 @@ pub enum NoSolution<const N: usize> {
         /// How far it is from one; see [`Pose::rotation_error`].
         error: Real,
     },
-    /// No configuration reaches the target.
+    /// No configuration reaches the target, of an arm with a parameter none with its value.
     OutOfReach {
         /// What reaches towards it, with its distance, metres, as the residual; see
         /// [`Kinematics::ik_approximate`]. None of an arm with a parameter.
@@ -144,7 +144,7 @@ impl<const N: usize> fmt::Display for NoSolution<N> {
                 f.write_str("the target is out of reach")?;
                 match approximate {
                     Some(near) => write!(f, " by about {:.1e} m", near.residual),
-                    None => Ok(()),
+                    None => f.write_str(", or is with the parameter's value"),
                 }
             }
             Self::NeedsParameters { count } => write!(

@@ -219,7 +219,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
 
     /// The intervals of the parameter in which each branch of solutions exists: their ends
     /// are where it meets another branch, because the joints that are not given are
-    /// singular there. Ends are exact to 1e-9.
+    /// singular there. Ends are exact to 1e-9; of arms off their design by less than 1e-8, to 1e-8.
     ///
     /// Where branches come from the square roots of a plan, all
     /// ends are zeros of the roots' arguments, each an analytic function on the curves on which
@@ -257,7 +257,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     ///
     /// Ends are where a joint goes beyond a limit by a tenth of [`JointLimit::TOLERANCE`]: joint
     /// values along a branch are polynomials to nine digits, of which all crossings are found. Where
-    /// limits leave a joint a single value, to a millionth, intervals have no length. An
+    /// limits leave a joint a single value, to 1e-8, intervals have no length. An
     /// angle that a singular target leaves free has the value that solutions have.
     #[cfg(feature = "alloc")]
     fn feasible_within(&self, target: &Pose, limits: &[JointLimit; N]) -> Vec<FeasibleInterval<N>> {
