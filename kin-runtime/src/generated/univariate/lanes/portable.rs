@@ -4,18 +4,29 @@ use super::{LANES, Lanes};
 use crate::math;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 
-/// Loops, which the compiler makes vectors of where it can.
+/// Single numbers, which the compiler makes vectors of where it can.
 #[derive(Clone, Copy)]
 #[repr(align(64))]
 pub(in super::super) struct Portable([f64; LANES]);
 
+/// In each lane, written out: a loop costs as much as what it does where a macro runs, unoptimized, in
+/// a user's build.
 macro_rules! each {
-    ($k:ident, $number:expr) => {{
-        let mut out = [0.0; LANES];
-        for $k in 0..LANES {
-            out[$k] = $number;
-        }
-        Self(out)
+    ($($x:ident = $of:expr),+; $number:expr) => {
+        Self([
+            each!(0 $($x = $of),+; $number),
+            each!(1 $($x = $of),+; $number),
+            each!(2 $($x = $of),+; $number),
+            each!(3 $($x = $of),+; $number),
+            each!(4 $($x = $of),+; $number),
+            each!(5 $($x = $of),+; $number),
+            each!(6 $($x = $of),+; $number),
+            each!(7 $($x = $of),+; $number),
+        ])
+    };
+    ($k:literal $($x:ident = $of:expr),+; $number:expr) => {{
+        $(let $x = $of.0[$k];)+
+        $number
     }};
 }
 
@@ -33,39 +44,39 @@ impl Lanes for Portable {
     }
     #[inline(always)]
     fn splat(x: f64) -> Self {
-        Self([x; LANES])
+        Self([x, x, x, x, x, x, x, x])
     }
     #[inline(always)]
     fn plus(self, a: Self, b: Self) -> Self {
-        self + a * b
+        each!(x = self, y = a, z = b; x + y * z)
     }
     #[inline(always)]
     fn minus(self, a: Self, b: Self) -> Self {
-        self - a * b
+        each!(x = self, y = a, z = b; x - y * z)
     }
     #[inline(always)]
     fn inverse(self) -> Self {
-        each!(k, 1.0 / self.0[k])
+        each!(x = self; 1.0 / x)
     }
     #[inline(always)]
     fn sqrt(self) -> Self {
-        each!(k, math::sqrt(self.0[k]))
+        each!(x = self; math::sqrt(x))
     }
     #[inline(always)]
     fn abs(self) -> Self {
-        each!(k, self.0[k].abs())
+        each!(x = self; x.abs())
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {
-        each!(k, math::max(self.0[k], other.0[k]))
+        each!(x = self, y = other; math::max(x, y))
     }
     #[inline(always)]
     fn where_less(self, other: Self, yes: Self, no: Self) -> Self {
-        each!(k, math::select(self.0[k] < other.0[k], yes.0[k], no.0[k]))
+        each!(x = self, y = other, a = yes, b = no; math::select(x < y, a, b))
     }
     #[inline(always)]
     fn away_from_zero(self, least: f64) -> Self {
-        each!(k, math::max(self.0[k].abs(), least).copysign(self.0[k]))
+        each!(x = self; math::max(x.abs(), least).copysign(x))
     }
 }
 
@@ -73,7 +84,7 @@ impl Neg for Portable {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        each!(k, -self.0[k])
+        each!(x = self; -x)
     }
 }
 
@@ -81,7 +92,7 @@ impl Add for Portable {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        each!(k, self.0[k] + other.0[k])
+        each!(x = self, y = other; x + y)
     }
 }
 
@@ -89,7 +100,7 @@ impl Sub for Portable {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        each!(k, self.0[k] - other.0[k])
+        each!(x = self, y = other; x - y)
     }
 }
 
@@ -97,7 +108,7 @@ impl Mul for Portable {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        each!(k, self.0[k] * other.0[k])
+        each!(x = self, y = other; x * y)
     }
 }
 

@@ -1,5 +1,4 @@
-//! Vectors of SSE2, AVX, AVX2 and AVX-512; the last two with fused multiplications and
-//! additions.
+//! Vectors of SSE2, AVX2 and AVX-512; the last two with fused multiplications and additions.
 //!
 //! All `unsafe` is of two kinds: arrays of numbers are taken for vectors and back, which have the same
 //! size and bits; and the wider types are used where [`dispatch`](crate::generated::dispatch) has seen
@@ -11,11 +10,11 @@ use core::mem::transmute;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 
 /// The numbers as some vectors of one width, and what is done with each: written out, not in a loop,
-/// which costs as much as what it does where a macro runs, unoptimized, in a user's build.
+/// which costs as much as what it does in a build that is not optimized.
 macro_rules! vectors {
     (
         $(#[$doc:meta])*
-        $name:ident: [$vector:ty; $count:literal] $($k:literal)*,
+        $name:ident: $($k:tt $vector:ty),*;
         set $set:ident,
         add $add:ident,
         sub $sub:ident,
@@ -33,82 +32,78 @@ macro_rules! vectors {
     ) => {
         $(#[$doc])*
         #[derive(Clone, Copy)]
-        pub(in super::super) struct $name([$vector; $count]);
+        #[repr(C)]
+        pub(in super::super) struct $name($($vector),*);
 
         impl Lanes for $name {
             // SAFETY: vectors are arrays of numbers.
-            const ZERO: Self = Self(unsafe {
-                transmute::<[f64; LANES], [$vector; $count]>([0.0; LANES])
-            });
+            const ZERO: Self = unsafe { transmute::<[f64; LANES], Self>([0.0; LANES]) };
             // SAFETY: as above.
-            const ONE: Self = Self(unsafe {
-                transmute::<[f64; LANES], [$vector; $count]>([1.0; LANES])
-            });
+            const ONE: Self = unsafe { transmute::<[f64; LANES], Self>([1.0; LANES]) };
 
             #[inline(always)]
             fn of(numbers: [f64; LANES]) -> Self {
                 // SAFETY: as above.
-                Self(unsafe { transmute::<[f64; LANES], [$vector; $count]>(numbers) })
+                unsafe { transmute::<[f64; LANES], Self>(numbers) }
             }
             #[inline(always)]
             fn numbers(self) -> [f64; LANES] {
                 // SAFETY: as above.
-                unsafe { transmute::<[$vector; $count], [f64; LANES]>(self.0) }
+                unsafe { transmute::<Self, [f64; LANES]>(self) }
             }
             #[inline(always)]
             fn splat(x: f64) -> Self {
-                // SAFETY: see the head of this file.
-                Self([unsafe { $set(x) }; $count])
+                Self::of([x, x, x, x, x, x, x, x])
             }
             #[inline(always)]
             fn plus(self, a: Self, b: Self) -> Self {
-                Self([$({
-                    let ($sum, $a, $b) = (self.0[$k], a.0[$k], b.0[$k]);
+                Self($({
+                    let ($sum, $a, $b) = (self.$k, a.$k, b.$k);
                     // SAFETY: see the head of this file.
                     unsafe { $plus }
-                }),*])
+                }),*)
             }
             #[inline(always)]
             fn minus(self, a: Self, b: Self) -> Self {
-                Self([$({
-                    let ($sum, $a, $b) = (self.0[$k], a.0[$k], b.0[$k]);
+                Self($({
+                    let ($sum, $a, $b) = (self.$k, a.$k, b.$k);
                     // SAFETY: see the head of this file.
                     unsafe { $minus }
-                }),*])
+                }),*)
             }
             #[inline(always)]
             fn inverse(self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $div($set(1.0), self.0[$k]) }),*])
+                Self($(unsafe { $div($set(1.0), self.$k) }),*)
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $sqrt(self.0[$k]) }),*])
+                Self($(unsafe { $sqrt(self.$k) }),*)
             }
             #[inline(always)]
             fn abs(self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $and_not($set(-0.0), self.0[$k]) }),*])
+                Self($(unsafe { $and_not($set(-0.0), self.$k) }),*)
             }
             #[inline(always)]
             fn max(self, other: Self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $max(self.0[$k], other.0[$k]) }),*])
+                Self($(unsafe { $max(self.$k, other.$k) }),*)
             }
             #[inline(always)]
             fn where_less(self, other: Self, yes: Self, no: Self) -> Self {
-                Self([$({
-                    let ($x, $y, $yes, $no) = (self.0[$k], other.0[$k], yes.0[$k], no.0[$k]);
+                Self($({
+                    let ($x, $y, $yes, $no) = (self.$k, other.$k, yes.$k, no.$k);
                     // SAFETY: see the head of this file.
                     unsafe { $select }
-                }),*])
+                }),*)
             }
             #[inline(always)]
             fn away_from_zero(self, least: f64) -> Self {
                 let away = self.abs().max(Self::splat(least));
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $or(away.0[$k], $and($set(-0.0), self.0[$k])) }),*])
+                Self($(unsafe { $or(away.$k, $and($set(-0.0), self.$k)) }),*)
             }
         }
 
@@ -117,7 +112,7 @@ macro_rules! vectors {
             #[inline(always)]
             fn neg(self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $xor($set(-0.0), self.0[$k]) }),*])
+                Self($(unsafe { $xor($set(-0.0), self.$k) }),*)
             }
         }
 
@@ -126,7 +121,7 @@ macro_rules! vectors {
             #[inline(always)]
             fn add(self, other: Self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $add(self.0[$k], other.0[$k]) }),*])
+                Self($(unsafe { $add(self.$k, other.$k) }),*)
             }
         }
 
@@ -135,7 +130,7 @@ macro_rules! vectors {
             #[inline(always)]
             fn sub(self, other: Self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $sub(self.0[$k], other.0[$k]) }),*])
+                Self($(unsafe { $sub(self.$k, other.$k) }),*)
             }
         }
 
@@ -144,7 +139,7 @@ macro_rules! vectors {
             #[inline(always)]
             fn mul(self, other: Self) -> Self {
                 // SAFETY: see the head of this file.
-                Self([$(unsafe { $mul(self.0[$k], other.0[$k]) }),*])
+                Self($(unsafe { $mul(self.$k, other.$k) }),*)
             }
         }
 
@@ -166,7 +161,7 @@ macro_rules! vectors {
 
 vectors! {
     /// Two numbers in each of four vectors: what every x86-64 processor has.
-    Sse2: [__m128d; 4] 0 1 2 3,
+    Sse2: 0 __m128d, 1 __m128d, 2 __m128d, 3 __m128d;
     set _mm_set1_pd,
     add _mm_add_pd,
     sub _mm_sub_pd,
@@ -186,52 +181,28 @@ vectors! {
     },
 }
 
-/// Four numbers in each of two vectors, which differ in how products are added alone.
-macro_rules! of_four {
-    (
-        $(#[$doc:meta])*
-        $name:ident,
-        plus |$sum:ident, $a:ident, $b:ident| $plus:expr,
-        minus $minus:expr,
-    ) => {
-        vectors! {
-            $(#[$doc])*
-            $name: [__m256d; 2] 0 1,
-            set _mm256_set1_pd,
-            add _mm256_add_pd,
-            sub _mm256_sub_pd,
-            mul _mm256_mul_pd,
-            div _mm256_div_pd,
-            sqrt _mm256_sqrt_pd,
-            max _mm256_max_pd,
-            and _mm256_and_pd,
-            and_not _mm256_andnot_pd,
-            or _mm256_or_pd,
-            xor _mm256_xor_pd,
-            plus |$sum, $a, $b| $plus,
-            minus $minus,
-            less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
-        }
-    };
-}
-
-of_four! {
-    /// Rounded once.
-    Avx2,
+vectors! {
+    /// Four numbers in each of two vectors.
+    Avx2: 0 __m256d, 1 __m256d;
+    set _mm256_set1_pd,
+    add _mm256_add_pd,
+    sub _mm256_sub_pd,
+    mul _mm256_mul_pd,
+    div _mm256_div_pd,
+    sqrt _mm256_sqrt_pd,
+    max _mm256_max_pd,
+    and _mm256_and_pd,
+    and_not _mm256_andnot_pd,
+    or _mm256_or_pd,
+    xor _mm256_xor_pd,
     plus |sum, a, b| _mm256_fmadd_pd(a, b, sum),
     minus _mm256_fnmadd_pd(a, b, sum),
-}
-
-of_four! {
-    /// Rounded twice, as SSE2's.
-    Avx,
-    plus |sum, a, b| _mm256_add_pd(sum, _mm256_mul_pd(a, b)),
-    minus _mm256_sub_pd(sum, _mm256_mul_pd(a, b)),
+    less |x, y, yes, no| _mm256_blendv_pd(no, yes, _mm256_cmp_pd::<_CMP_LT_OQ>(x, y)),
 }
 
 vectors! {
     /// All numbers in one vector.
-    Avx512: [__m512d; 1] 0,
+    Avx512: 0 __m512d;
     set _mm512_set1_pd,
     add _mm512_add_pd,
     sub _mm512_sub_pd,
