@@ -100,8 +100,8 @@ impl<const N: usize> Basis<N> {
         for i in 0..N {
             let (mut even, mut odd) = (L::ZERO, L::ZERO);
             for k in 0..N {
-                even = even.plus_scaled(turned[k][0], self.cosines[i][k]);
-                odd = odd.plus_scaled(turned[k][1], self.sines[i][k]);
+                even = even.plus_scaled(&turned[k][0], self.cosines[i][k]);
+                odd = odd.plus_scaled(&turned[k][1], self.sines[i][k]);
             }
             out[i] = even + odd;
             out[2 * (N - 1) - i] = even - odd;
@@ -206,8 +206,8 @@ impl<const N: usize, const VECTORS: usize> Cut<N, VECTORS> {
         for i in 0..VECTORS {
             let (mut low, mut high) = (L::ZERO, L::ZERO);
             for j in 0..N {
-                low = low.plus_scaled(L::of(self.low[i][j]), whole[j]);
-                high = high.plus_scaled(L::of(self.high[i][j]), whole[j]);
+                low = low.plus_scaled(&L::of(self.low[i][j]), whole[j]);
+                high = high.plus_scaled(&L::of(self.high[i][j]), whole[j]);
             }
             lower[LANES * i..][..LANES].copy_from_slice(&low.numbers());
             upper[LANES * i..][..LANES].copy_from_slice(&high.numbers());
@@ -267,8 +267,8 @@ fn on_half<L: Lanes>(f: &Harmonics, arc: usize) -> Arcs {
         }
         let (c, s, a, b) = (L::of(c), L::of(s), f.cosines[k], f.sines[k]);
         turned[k] = [
-            c.scaled(a).plus_scaled(s, b),
-            c.scaled(b).plus_scaled(s, -a),
+            c.scaled(a).plus_scaled(&s, b),
+            c.scaled(b).plus_scaled(&s, -a),
         ];
     }
     let (coefficients, count) = match f.degree <= 8 {
@@ -287,7 +287,7 @@ fn on_half<L: Lanes>(f: &Harmonics, arc: usize) -> Arcs {
         behind = product.where_less(L::ZERO, b, behind);
         at = product.where_less(L::ZERO, L::splat((i - 1) as f64), at);
     }
-    let share = at.plus(before, (before - behind).inverse());
+    let share = at.plus(&before, &((before - behind).inverse()));
     let mut numbers = [[0.0; LANES]; PLACES];
     for (i, numbers) in numbers.iter_mut().enumerate() {
         *numbers = coefficients[i.min(count - 1)].numbers();

@@ -56,7 +56,7 @@ impl<L: Lanes> Factors<L> {
                 let share = other[column] * inverse;
                 other[column] = share;
                 for j in column + 1..WIDTH {
-                    other[j] = other[j].minus(share, row[j]);
+                    other[j] = other[j].minus(&share, &row[j]);
                 }
             }
         }
@@ -68,7 +68,7 @@ impl<L: Lanes> Factors<L> {
             for k in 0..BLOCK {
                 let mut share = row[COLUMN + k];
                 for l in 0..k {
-                    share = share.minus(shares[l], pivots[l][COLUMN + k]);
+                    share = share.minus(&shares[l], &pivots[l][COLUMN + k]);
                 }
                 shares[k] = share * self.inverses[first + k];
                 row[COLUMN + k] = shares[k];
@@ -76,7 +76,7 @@ impl<L: Lanes> Factors<L> {
             for j in COLUMN + BLOCK..WIDTH {
                 let mut entry = row[j];
                 for k in 0..BLOCK {
-                    entry = entry.minus(shares[k], pivots[k][j]);
+                    entry = entry.minus(&shares[k], &pivots[k][j]);
                 }
                 row[j] = entry;
             }
@@ -112,7 +112,7 @@ impl<L: Lanes> Factors<L> {
         for k in 0..BLOCK {
             for i in k + 1..BLOCK {
                 for first in [0, BLOCK] {
-                    x[first + i] = x[first + i].minus(self.rows[first + i][k], x[first + k]);
+                    x[first + i] = x[first + i].minus(&self.rows[first + i][k], &x[first + k]);
                 }
             }
         }
@@ -120,12 +120,12 @@ impl<L: Lanes> Factors<L> {
         for i in 2 * BLOCK..SIZE {
             let known = &both[usize::from(self.shifted >> i & 1)];
             for k in 0..BLOCK {
-                x[i] = x[i].minus(self.rows[i][k], known[k]);
+                x[i] = x[i].minus(&self.rows[i][k], &known[k]);
             }
         }
         for k in 2 * BLOCK..SIZE {
             for i in k + 1..SIZE {
-                x[i] = x[i].minus(self.rows[i][column_of(k)], x[k]);
+                x[i] = x[i].minus(&self.rows[i][column_of(k)], &x[k]);
             }
         }
     }
@@ -149,14 +149,14 @@ fn back_substitute<L: Lanes>(u: &Compact<L>, inverses: &Vectors<L>, x: &mut Vect
             for j in 0..BLOCK {
                 for i in 0..BLOCK {
                     let entry = u[first + i][column_of(BLOCK * behind) + j];
-                    own[i] = own[i].minus(entry, known[j]);
+                    own[i] = own[i].minus(&entry, &known[j]);
                 }
             }
         }
         for k in (0..BLOCK).rev() {
             own[k] *= inverses[first + k];
             for i in 0..k {
-                own[i] = own[i].minus(u[first + i][column_of(first) + k], own[k]);
+                own[i] = own[i].minus(&u[first + i][column_of(first) + k], &own[k]);
             }
         }
         x[first..first + BLOCK].copy_from_slice(&own);
@@ -174,14 +174,14 @@ fn back_substitute_transposed<L: Lanes>(u: &Compact<L>, inverses: &Vectors<L>, x
             for i in 0..BLOCK {
                 for j in 0..BLOCK {
                     let entry = u[BLOCK * before + i][column_of(first) + j];
-                    own[j] = own[j].minus(entry, known[i]);
+                    own[j] = own[j].minus(&entry, &known[i]);
                 }
             }
         }
         for k in 0..BLOCK {
             own[k] *= inverses[first + k];
             for j in k + 1..BLOCK {
-                own[j] = own[j].minus(u[first + k][column_of(first) + j], own[k]);
+                own[j] = own[j].minus(&u[first + k][column_of(first) + j], &own[k]);
             }
         }
         x[first..first + BLOCK].copy_from_slice(&own);
@@ -255,13 +255,16 @@ impl<L: Lanes> Triangle<L> {
         let mut square = L::ZERO;
         for i in rows {
             let x = self.rows[at(i)][column];
-            square = square.plus(x, x);
+            square = square.plus(&x, &x);
         }
         let x = self.rows[k][column];
         let root = square.sqrt();
         // Without cancellation by the choice of sign.
         let image = x.where_less(L::ZERO, root, -root);
-        let weight = square.minus(image, x).max(L::splat(LEAST_PIVOT)).inverse();
+        let weight = square
+            .minus(&image, &x)
+            .max(L::splat(LEAST_PIVOT))
+            .inverse();
         self.rows[k][column] = x - image;
         // From the last columns on, since those about the pivot's spoil it.
         for block in (column / BLOCK..WIDTH / BLOCK).rev() {
@@ -270,7 +273,7 @@ impl<L: Lanes> Triangle<L> {
             for i in rows {
                 let row = &self.rows[at(i)];
                 for j in 0..BLOCK {
-                    along[j] = along[j].plus(row[column], row[first + j]);
+                    along[j] = along[j].plus(&row[column], &row[first + j]);
                 }
             }
             for along in &mut along {
@@ -280,7 +283,7 @@ impl<L: Lanes> Triangle<L> {
                 let row = &mut self.rows[at(i)];
                 let x = row[column];
                 for j in 0..BLOCK {
-                    row[first + j] = row[first + j].minus(along[j], x);
+                    row[first + j] = row[first + j].minus(&along[j], &x);
                 }
             }
         }
@@ -333,7 +336,7 @@ impl<L: Lanes> Triangle<L> {
                 for m in 0..n {
                     let along = dot(&space[m], &space[n]);
                     for i in 0..SIZE {
-                        space[n][i] = space[n][i].minus(along, space[m][i]);
+                        space[n][i] = space[n][i].minus(&along, &space[m][i]);
                     }
                 }
                 lengths[n] = dot(&space[n], &space[n]).sqrt().inverse();

@@ -211,19 +211,19 @@ impl Equations {
     /// those at others or none.
     #[inline(always)]
     pub fn write<L: Lanes>(&self, cosine: L, sine: L, out: &mut AtValues<L>) {
-        let whole = (cosine * cosine).minus(sine, sine);
+        let whole = (cosine * cosine).minus(&sine, &sine);
         let double = (cosine + cosine) * sine;
         for i in 0..self.count.min(FUNCTIONALS) {
             let [x, y, z] = &self.functionals[i];
             if i < self.half {
                 for j in 0..9 {
-                    out[i][j] = cosine.scaled(x[j]).plus_scaled(sine, y[j]);
+                    out[i][j] = cosine.scaled(x[j]).plus_scaled(&sine, y[j]);
                 }
             } else {
                 for j in 0..9 {
                     out[i][j] = L::splat(x[j])
-                        .plus_scaled(whole, y[j])
-                        .plus_scaled(double, z[j]);
+                        .plus_scaled(&whole, y[j])
+                        .plus_scaled(&double, z[j]);
                 }
             }
         }

@@ -37,9 +37,9 @@ pub(super) trait Lanes:
     fn splat(x: f64) -> Self;
 
     /// self + a b.
-    fn plus(self, a: Self, b: Self) -> Self;
+    fn plus(&self, a: &Self, b: &Self) -> Self;
     /// self − a b.
-    fn minus(self, a: Self, b: Self) -> Self;
+    fn minus(&self, a: &Self, b: &Self) -> Self;
 
     fn inverse(self) -> Self;
     fn sqrt(self) -> Self;
@@ -63,8 +63,8 @@ pub(super) trait Lanes:
 
     /// self + a b for the same b in all lanes.
     #[inline(always)]
-    fn plus_scaled(self, a: Self, b: f64) -> Self {
-        self.plus(a, Self::splat(b))
+    fn plus_scaled(&self, a: &Self, b: f64) -> Self {
+        self.plus(a, &Self::splat(b))
     }
 
     /// Sine and cosine of angles in radians.
@@ -92,7 +92,7 @@ pub(super) fn dot<L: Lanes, const N: usize>(a: &[L; N], b: &[L; N]) -> L {
     // Two sums, of which neither waits for the other.
     let mut sums = [L::ZERO; 2];
     for i in 0..N {
-        sums[i % 2] = sums[i % 2].plus(a[i], b[i]);
+        sums[i % 2] = sums[i % 2].plus(&a[i], &b[i]);
     }
     sums[0] + sums[1]
 }
@@ -196,8 +196,10 @@ mod tests {
             same("where_less", x.where_less(y, z, x), &|k| {
                 if a[k] < b[k] { c[k] } else { a[k] }
             });
-            for (name, lanes, sign) in [("plus", x.plus(y, z), 1.0), ("minus", x.minus(y, z), -1.0)]
-            {
+            for (name, lanes, sign) in [
+                ("plus", x.plus(&y, &z), 1.0),
+                ("minus", x.minus(&y, &z), -1.0),
+            ] {
                 for (k, number) in lanes.numbers().into_iter().enumerate() {
                     let product = sign * b[k] * c[k];
                     let off = (number - (a[k] + product)).abs();
@@ -216,8 +218,8 @@ mod tests {
         let thirds = |of: usize| core::array::from_fn(|k| (k + of) as f64 / 3.0 - 2.0 / 7.0);
         let [a, b, c] = [1, 2, 3].map(thirds);
         let sums = [
-            L::of(a).plus(L::of(b), L::of(c)),
-            L::of(a).minus(L::of(b), L::of(c)),
+            L::of(a).plus(&L::of(b), &L::of(c)),
+            L::of(a).minus(&L::of(b), &L::of(c)),
         ];
         for k in 0..LANES {
             let product = b[k] * c[k];

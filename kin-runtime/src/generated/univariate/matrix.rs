@@ -93,7 +93,7 @@ impl Places {
         for row in 0..SIZE {
             for column in 0..WIDTH {
                 let entry = self.entry(equations, row, column);
-                out[row] = out[row].plus(entry, x[self.column(row, column)]);
+                out[row] = out[row].plus(&entry, &x[self.column(row, column)]);
             }
         }
         out

@@ -94,7 +94,7 @@ fn newton<L: Lanes>(
             L::ZERO,
         );
         for (q, change) in q.iter_mut().zip(&change) {
-            *q = q.plus(share, *change);
+            *q = q.plus(&share, change);
         }
         step += 1;
         forward.compute(frames, target, &q);
@@ -159,7 +159,7 @@ fn apart<L: Lanes>(
     }
     let (step, bent) = (jacobian.solve(here), jacobian.solve(bend));
     let (e, a) = (dot(&v, &step), dot(&v, &bent));
-    let root = L::ONE.plus(a + a, e).max(L::ZERO).sqrt();
+    let root = L::ONE.plus(&(a + a), &e).max(L::ZERO).sqrt();
     // α = (−1 ± root) / a, without cancellation.
     let beyond = L::ONE + root;
     let mut out = [[[0.0; LANES]; 6]; 2];
@@ -170,10 +170,10 @@ fn apart<L: Lanes>(
         let alpha = alpha.min(L::splat(FARTHEST)).max(L::splat(-FARTHEST));
         let half_square = (alpha * alpha).scaled(0.5);
         for i in 0..6 {
-            let across = step[i].minus(e, v[i]);
-            let bent_across = bent[i].minus(a, v[i]);
-            let there = (q[i] + across).plus(alpha, v[i]);
-            out[i] = there.minus(half_square, bent_across).numbers();
+            let across = step[i].minus(&e, &v[i]);
+            let bent_across = bent[i].minus(&a, &v[i]);
+            let there = (q[i] + across).plus(&alpha, &v[i]);
+            out[i] = there.minus(&half_square, &bent_across).numbers();
         }
     }
     out
@@ -202,7 +202,7 @@ fn numbers<L: Lanes>(q: &Rows<L>) -> [[f64; LANES]; 6] {
 fn moved<L: Lanes>(q: &Rows<L>, v: &Rows<L>, by: f64) -> Rows<L> {
     let mut out = *q;
     for (out, v) in out.iter_mut().zip(v) {
-        *out = out.plus_scaled(*v, by);
+        *out = out.plus_scaled(v, by);
     }
     out
 }
@@ -257,19 +257,19 @@ impl<L: Lanes> Forward<L> {
             for row in 0..3 {
                 let [x, y, z] = r[row];
                 if slides {
-                    p[row] = p[row].plus(z, q[i]);
+                    p[row] = p[row].plus(&z, &q[i]);
                 }
-                let (x, y) = ((x * c).plus(y, s), (y * c).minus(x, s));
+                let (x, y) = ((x * c).plus(&y, &s), (y * c).minus(&x, &s));
                 for j in 0..3 {
                     r[row][j] = x
                         .scaled(a[0][j])
-                        .plus_scaled(y, a[1][j])
-                        .plus_scaled(z, a[2][j]);
+                        .plus_scaled(&y, a[1][j])
+                        .plus_scaled(&z, a[2][j]);
                 }
                 p[row] = p[row]
-                    .plus_scaled(x, t[0])
-                    .plus_scaled(y, t[1])
-                    .plus_scaled(z, t[2]);
+                    .plus_scaled(&x, t[0])
+                    .plus_scaled(&y, t[1])
+                    .plus_scaled(&z, t[2]);
             }
         }
         self.tip = p;
@@ -278,13 +278,13 @@ impl<L: Lanes> Forward<L> {
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             error[i] = (L::splat(target.translation[i]) - p[i]).scaled(0.5);
-            square = square.plus(error[i], error[i]);
+            square = square.plus(&error[i], &error[i]);
             for column in 0..3 {
                 error[3 + i] = error[3 + i]
-                    .plus_scaled(r[j][column], 0.5 * wanted[l][column])
-                    .plus_scaled(r[l][column], -0.5 * wanted[j][column]);
+                    .plus_scaled(&r[j][column], 0.5 * wanted[l][column])
+                    .plus_scaled(&r[l][column], -0.5 * wanted[j][column]);
                 let apart = r[i][column] - L::splat(wanted[i][column]);
-                square = square.plus(apart, apart.scaled(0.5));
+                square = square.plus(&apart, &apart.scaled(0.5));
             }
         }
         self.error = error;
@@ -308,7 +308,7 @@ impl<L: Lanes> Forward<L> {
         }
         for i in 0..3 {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            column[i] = (z[j] * arm[l]).minus(z[l], arm[j]);
+            column[i] = (z[j] * arm[l]).minus(&z[l], &arm[j]);
             column[3 + i] = z[i];
         }
         column
@@ -354,7 +354,7 @@ impl<L: Lanes> Factored<L> {
                 let along = dot(column, other) * inverse;
                 self.above[j][l] = along;
                 for i in 0..6 {
-                    other[i] = other[i].minus(along, column[i]);
+                    other[i] = other[i].minus(&along, &column[i]);
                 }
             }
         }
@@ -368,7 +368,7 @@ impl<L: Lanes> Factored<L> {
             let column = &self.orthogonal[j];
             x[j] = dot(column, &e) * self.inverses[j];
             for i in 0..6 {
-                e[i] = e[i].minus(x[j], column[i]);
+                e[i] = e[i].minus(&x[j], &column[i]);
             }
         }
         self.back_substituted(x)
@@ -379,7 +379,7 @@ impl<L: Lanes> Factored<L> {
     fn back_substituted(&self, mut x: Rows<L>) -> Rows<L> {
         for j in (0..6).rev() {
             for l in j + 1..6 {
-                x[j] = x[j].minus(self.above[j][l], x[l]);
+                x[j] = x[j].minus(&self.above[j][l], &x[l]);
             }
         }
         x
@@ -408,11 +408,11 @@ impl<L: Lanes> Factored<L> {
             let mut square = L::ONE;
             for i in (0..j).rev() {
                 for l in i + 1..=j {
-                    column[i] = column[i].minus(self.above[i][l], column[l]);
+                    column[i] = column[i].minus(&self.above[i][l], &column[l]);
                 }
-                square = square.plus(column[i], column[i]);
+                square = square.plus(&column[i], &column[i]);
             }
-            sum = sum.plus(square, self.inverses[j]);
+            sum = sum.plus(&square, &self.inverses[j]);
         }
         let [_, largest] = self.extremes();
         (sum * largest).inverse().sqrt()
@@ -437,7 +437,7 @@ impl<L: Lanes> Factored<L> {
         for _ in 0..2 {
             for j in 0..6 {
                 for i in 0..j {
-                    x[j] = x[j].minus(self.above[i][j], x[i]);
+                    x[j] = x[j].minus(&self.above[i][j], &x[i]);
                 }
             }
             for j in 0..6 {

@@ -67,7 +67,7 @@ impl<const REFLECTED: bool> InLanes<&Recovery<'_>> for Sampled<REFLECTED> {
                 *largest = largest.max(pivot.abs());
             }
             values.copy_from_slice(&determinants.numbers());
-            slopes = slopes.plus(determinants.abs(), inverse_norm);
+            slopes = slopes.plus(&determinants.abs(), &inverse_norm);
         }
         let mut f = Harmonics::new(degree, values);
         let slopes: f64 = slopes.numbers().into_iter().sum();

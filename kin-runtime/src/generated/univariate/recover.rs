@@ -124,8 +124,8 @@ impl<'a> Recovery<'a> {
                     false => (self.column(i, j), self.column(i + 1, j)),
                 };
                 let (low, high) = (null[low], null[high]);
-                y = y.plus(low + low, high);
-                x = x.plus(low - high, low + high);
+                y = y.plus(&(low + low), &high);
+                x = x.plus(&(low - high), &(low + high));
             }
         }
         L::angle(y, x)
@@ -142,8 +142,8 @@ impl<'a> Recovery<'a> {
                 false => (self.column(0, j), self.column(1, j)),
             };
             let (low, high) = (null[low], null[high]);
-            y = y.plus(low, high);
-            x = x.plus(low, low);
+            y = y.plus(&low, &high);
+            x = x.plus(&low, &low);
         }
         y * x.inverse()
     }
@@ -164,7 +164,7 @@ impl<'a> Recovery<'a> {
         let square = c * c;
         match self.round.slides[place] {
             true => [c, (square - s) * (L::ONE + square).inverse()],
-            false => [L::angle(s, c), square.plus(s, s) - L::ONE],
+            false => [L::angle(s, c), square.plus(&s, &s) - L::ONE],
         }
     }
 
@@ -196,20 +196,20 @@ impl<'a> Recovery<'a> {
             let mut parts = [L::ZERO; 3];
             for (part, far) in parts.iter_mut().zip(far.chunks_exact(3)) {
                 *part = L::splat(far[0])
-                    .plus_scaled(cb, far[1])
-                    .plus_scaled(sb, far[2]);
+                    .plus_scaled(&cb, far[1])
+                    .plus_scaled(&sb, far[2]);
             }
-            *line = parts[0].plus(parts[1], cl).plus(parts[2], sl);
+            *line = parts[0].plus(&parts[1], &cl).plus(&parts[2], &sl);
         }
         for v in [0, 3, 6, 9] {
             let (x, y) = (line[v], line[v + 1]);
-            line[v] = (x * ck).plus(y, sk);
-            line[v + 1] = (y * ck).minus(x, sk);
+            line[v] = (x * ck).plus(&y, &sk);
+            line[v + 1] = (y * ck).minus(&x, &sk);
         }
         let mut functions = [L::ZERO; 2];
         for (out, functional) in functions.iter_mut().zip(self.vanishing.third()) {
             for (f, line) in functional.iter().zip(&line) {
-                *out = out.plus_scaled(*line, *f);
+                *out = out.plus_scaled(line, *f);
             }
         }
         let [c3, s3] = functions;
@@ -264,8 +264,8 @@ impl<'a> Recovery<'a> {
                 let (mut s, mut c) = (L::ZERO, L::ZERO);
                 for i in 0..2 {
                     let (near, far) = (&near[i], &far[i]);
-                    s = s.plus(near[0], far[1]).minus(near[1], far[0]);
-                    c = c.plus(near[0], far[0]).plus(near[1], far[1]);
+                    s = s.plus(&near[0], &far[1]).minus(&near[1], &far[0]);
+                    c = c.plus(&near[0], &far[0]).plus(&near[1], &far[1]);
                 }
                 L::angle(s, c)
             }
@@ -289,7 +289,13 @@ impl<'a> Recovery<'a> {
         l: &[L; 3],
         p: &[L; 3],
     ) -> ([L; 3], [L; 3]) {
-        let turned = |x: &[L; 3]| [(c * x[0]).minus(s, x[1]), (s * x[0]).plus(c, x[1]), x[2]];
+        let turned = |x: &[L; 3]| {
+            [
+                (c * x[0]).minus(&s, &x[1]),
+                (s * x[0]).plus(&c, &x[1]),
+                x[2],
+            ]
+        };
         match self.round.slides[place] {
             true => (*l, [p[0], p[1], p[2] + c]),
             false => (turned(l), turned(p)),
@@ -306,7 +312,7 @@ impl<'a> Recovery<'a> {
             if self.round.slides[(i + 1) % 6] {
                 continue;
             }
-            (x[0], x[1]) = ((c * x[0]).plus(s, x[1]), (c * x[1]).minus(s, x[0]));
+            (x[0], x[1]) = ((c * x[0]).plus(&s, &x[1]), (c * x[1]).minus(&s, &x[0]));
         }
         x = rotated_back(&self.round.behind[2].rotation, &x);
         L::angle(x[1], x[0])
@@ -402,8 +408,8 @@ fn rotated<L: Lanes>(r: &[[f64; 3]; 3], x: &[L; 3]) -> [L; 3] {
     for (out, row) in out.iter_mut().zip(r) {
         *out = x[0]
             .scaled(row[0])
-            .plus_scaled(x[1], row[1])
-            .plus_scaled(x[2], row[2]);
+            .plus_scaled(&x[1], row[1])
+            .plus_scaled(&x[2], row[2]);
     }
     out
 }
@@ -423,8 +429,8 @@ fn rotated_back<L: Lanes>(r: &[[f64; 3]; 3], x: &[L; 3]) -> [L; 3] {
     for (i, out) in out.iter_mut().enumerate() {
         *out = x[0]
             .scaled(r[0][i])
-            .plus_scaled(x[1], r[1][i])
-            .plus_scaled(x[2], r[2][i]);
+            .plus_scaled(&x[1], r[1][i])
+            .plus_scaled(&x[2], r[2][i]);
     }
     out
 }

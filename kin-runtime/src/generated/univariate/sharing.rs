@@ -49,7 +49,7 @@ pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
     for (out, weights) in out.iter_mut().zip(&weights) {
         for (x, weight) in space.iter().zip(weights) {
             for (out, x) in out.iter_mut().zip(x) {
-                *out = out.plus(*x, *weight);
+                *out = out.plus(x, weight);
             }
         }
     }
@@ -79,14 +79,14 @@ fn multiplication<L: Lanes, const N: usize>(
             for n in 0..N {
                 for c in 0..4 {
                     let entry = space[n][corners[c]];
-                    below[n] = below[n].plus_scaled(entry, denominator[c]);
-                    above[n] = above[n].plus_scaled(entry, numerator[c]);
+                    below[n] = below[n].plus_scaled(&entry, denominator[c]);
+                    above[n] = above[n].plus_scaled(&entry, numerator[c]);
                 }
             }
             for a in 0..N {
                 for b in 0..N {
-                    gram[a][b] = gram[a][b].plus(below[a], below[b]);
-                    image[a][b] = image[a][b].plus(below[a], above[b]);
+                    gram[a][b] = gram[a][b].plus(&below[a], &below[b]);
+                    image[a][b] = image[a][b].plus(&below[a], &above[b]);
                 }
             }
         }
@@ -105,8 +105,8 @@ fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) ->
             }
             let share = g[i][k] * pivot;
             for j in 0..N {
-                g[i][j] = g[i][j].minus(share, g[k][j]);
-                h[i][j] = h[i][j].minus(share, h[k][j]);
+                g[i][j] = g[i][j].minus(&share, &g[k][j]);
+                h[i][j] = h[i][j].minus(&share, &h[k][j]);
             }
         }
         for j in 0..N {
@@ -122,7 +122,7 @@ fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) ->
 fn of_pair<L: Lanes, const N: usize>(t: Square<L, N>) -> Square<L, N> {
     let [a, b, c, d] = [t[0][0], t[0][1], t[1][0], t[1][1]];
     let half = (a - d).scaled(0.5);
-    let root = (half * half).plus(b, c).max(L::ZERO).sqrt();
+    let root = (half * half).plus(&b, &c).max(L::ZERO).sqrt();
     let mut out = [[L::ZERO; N]; N];
     for (out, root) in out.iter_mut().zip([root, -root]) {
         // The one without cancellation, of the two rows that tell it.
@@ -153,7 +153,7 @@ fn eigenvectors<L: Lanes, const N: usize>(given: Square<L, N>) -> Square<L, N> {
     for (k, out) in out.iter_mut().enumerate() {
         let mut value = L::ZERO;
         for i in 0..N {
-            value = value.plus(basis[i][k], image[i][k]);
+            value = value.plus(&basis[i][k], &image[i][k]);
         }
         *out = eigenvector(&given, value);
     }
@@ -175,7 +175,7 @@ fn eigenvector<L: Lanes, const N: usize>(given: &Square<L, N>, value: L) -> [L; 
     for i in (0..N - 1).rev() {
         let mut above = L::ZERO;
         for j in i + 1..N {
-            above = above.plus(r[i][j], x[j]);
+            above = above.plus(&r[i][j], &x[j]);
         }
         x[i] = -above * r[i][i].inverse();
     }
@@ -191,15 +191,15 @@ fn orthogonal_and_triangular<L: Lanes, const N: usize>(
     for j in 0..N {
         for k in 0..j {
             for row in &q {
-                r[k][j] = r[k][j].plus(row[k], row[j]);
+                r[k][j] = r[k][j].plus(&row[k], &row[j]);
             }
             for row in &mut q {
-                row[j] = row[j].minus(r[k][j], row[k]);
+                row[j] = row[j].minus(&r[k][j], &row[k]);
             }
         }
         let mut square = L::ZERO;
         for row in &q {
-            square = square.plus(row[j], row[j]);
+            square = square.plus(&row[j], &row[j]);
         }
         r[j][j] = square.sqrt().max(L::splat(1e-150));
         let share = r[j][j].inverse();
@@ -216,7 +216,7 @@ fn product<L: Lanes, const N: usize>(a: &Square<L, N>, b: &Square<L, N>) -> Squa
     for (out, row) in out.iter_mut().zip(a) {
         for (entry, b) in row.iter().zip(b) {
             for j in 0..N {
-                out[j] = out[j].plus(*entry, b[j]);
+                out[j] = out[j].plus(entry, &b[j]);
             }
         }
     }

@@ -155,9 +155,9 @@ impl InLanes<(&About, f64)> for OnCircle {
             let (x, y) = (L::of(x), L::of(y));
             // e^{iθ} = (1 + i t) / (1 − i t), and its inverse.
             let (above, below) = (L::ONE - y, L::ONE + y);
-            let across = (above * below).minus(x, x);
-            let outer = (below * below).plus(x, x).inverse();
-            let inner = (above * above).plus(x, x).inverse();
+            let across = (above * below).minus(&x, &x);
+            let outer = (below * below).plus(&x, &x).inverse();
+            let inner = (above * above).plus(&x, &x).inverse();
             let ahead = [across * outer, (x + x) * outer];
             let back = [across * inner, -(x + x) * inner];
             let (mut p, mut q) = ([L::ZERO; 2], [L::ZERO; 2]);
@@ -169,7 +169,7 @@ impl InLanes<(&About, f64)> for OnCircle {
             let constant = f.harmonics[0][0];
             let re = p[0] + q[0] + L::splat(constant + constant);
             let im = p[1] + q[1];
-            let square = (re * re).plus(im, im);
+            let square = (re * re).plus(&im, &im);
             values.arguments[first..first + LANES].copy_from_slice(&L::angle(im, re).numbers());
             values.squares[first..first + LANES].copy_from_slice(&square.numbers());
         }
@@ -180,7 +180,7 @@ impl InLanes<(&About, f64)> for OnCircle {
 /// Of complex numbers.
 #[inline(always)]
 fn product<L: Lanes>([a, b]: [L; 2], [c, d]: [L; 2]) -> [L; 2] {
-    [(a * c).minus(b, d), (a * d).plus(b, c)]
+    [(a * c).minus(&b, &d), (a * d).plus(&b, &c)]
 }
 
 #[cfg(test)]

@@ -4,16 +4,16 @@ use super::{LANES, Lanes};
 use crate::math;
 use core::ops::{Add, AddAssign, Mul, MulAssign, Neg, Sub};
 
-/// Single numbers, which the compiler makes vectors of where it can.
+/// Single numbers, which the compiler makes vectors of where it can. Fields, since unoptimized it
+/// makes an array for every result and copies that by a call.
 #[derive(Clone, Copy)]
-#[repr(align(64))]
-pub(in super::super) struct Portable([f64; LANES]);
+pub(in super::super) struct Portable(f64, f64, f64, f64, f64, f64, f64, f64);
 
 /// In each lane, written out: a loop costs as much as what it does where a macro runs, unoptimized, in
 /// a user's build.
 macro_rules! each {
     ($($x:ident = $of:expr),+; $number:expr) => {
-        Self([
+        Self(
             each!(0 $($x = $of),+; $number),
             each!(1 $($x = $of),+; $number),
             each!(2 $($x = $of),+; $number),
@@ -22,37 +22,48 @@ macro_rules! each {
             each!(5 $($x = $of),+; $number),
             each!(6 $($x = $of),+; $number),
             each!(7 $($x = $of),+; $number),
-        ])
+        )
     };
-    ($k:literal $($x:ident = $of:expr),+; $number:expr) => {{
-        $(let $x = $of.0[$k];)+
+    ($k:tt $($x:ident = $of:expr),+; $number:expr) => {{
+        $(let $x = $of.$k;)+
         $number
     }};
 }
 
 impl Lanes for Portable {
-    const ZERO: Self = Self([0.0; LANES]);
-    const ONE: Self = Self([1.0; LANES]);
+    const ZERO: Self = Self(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    const ONE: Self = Self(1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0);
 
     #[inline(always)]
     fn of(numbers: [f64; LANES]) -> Self {
-        Self(numbers)
+        let [a, b, c, d, e, f, g, h] = numbers;
+        Self(a, b, c, d, e, f, g, h)
     }
     #[inline(always)]
     fn numbers(self) -> [f64; LANES] {
-        self.0
+        [
+            self.0, self.1, self.2, self.3, self.4, self.5, self.6, self.7,
+        ]
     }
     #[inline(always)]
     fn splat(x: f64) -> Self {
-        Self([x, x, x, x, x, x, x, x])
+        Self(x, x, x, x, x, x, x, x)
     }
     #[inline(always)]
-    fn plus(self, a: Self, b: Self) -> Self {
+    fn plus(&self, a: &Self, b: &Self) -> Self {
         each!(x = self, y = a, z = b; x + y * z)
     }
     #[inline(always)]
-    fn minus(self, a: Self, b: Self) -> Self {
+    fn minus(&self, a: &Self, b: &Self) -> Self {
         each!(x = self, y = a, z = b; x - y * z)
+    }
+    #[inline(always)]
+    fn plus_scaled(&self, a: &Self, b: f64) -> Self {
+        each!(x = self, y = a; x + y * b)
+    }
+    #[inline(always)]
+    fn scaled(self, by: f64) -> Self {
+        each!(x = self; x * by)
     }
     #[inline(always)]
     fn inverse(self) -> Self {

@@ -56,7 +56,7 @@ macro_rules! vectors {
                 Self::of([x, x, x, x, x, x, x, x])
             }
             #[inline(always)]
-            fn plus(self, a: Self, b: Self) -> Self {
+            fn plus(&self, a: &Self, b: &Self) -> Self {
                 Self($({
                     let ($sum, $a, $b) = (self.$k, a.$k, b.$k);
                     // SAFETY: see the head of this file.
@@ -64,7 +64,7 @@ macro_rules! vectors {
                 }),*)
             }
             #[inline(always)]
-            fn minus(self, a: Self, b: Self) -> Self {
+            fn minus(&self, a: &Self, b: &Self) -> Self {
                 Self($({
                     let ($sum, $a, $b) = (self.$k, a.$k, b.$k);
                     // SAFETY: see the head of this file.
