@@ -380,10 +380,10 @@ fn with_rounded_ends(text: &str) -> String {
 
 #[test]
 fn loops_that_rounding_opens_are_read_as_closed_and_told() {
-    let is_told = |found: &CompiledMechanism| {
+    let is_told = |found: &CompiledMechanism, what: &str| {
         let told: Vec<&str> = found.warnings.iter().map(|it| &*it.reason).collect();
         assert!(
-            matches!(told[..], [one] if one.contains("the loops do not close as they are written")),
+            matches!(told[..], [one] if one.contains(what) && one.contains("are read as exactly so")),
             "{told:?}"
         );
     };
@@ -392,7 +392,7 @@ fn loops_that_rounding_opens_are_read_as_closed_and_told() {
     let text = with_rounded_ends(&exact.text);
     let found = compiled(&Source { text, ..exact });
     assert_eq!(found.inverse.as_ref().unwrap().aim, Aim::Translation);
-    is_told(&found);
+    is_told(&found, "as it is written the platform turns, by");
 
     // Four axes along (1, 2, 3), which has no end as a fraction of its length.
     let unit = 14_f64.sqrt().recip();
@@ -426,7 +426,7 @@ fn loops_that_rounding_opens_are_read_as_closed_and_told() {
     let text = with_rounded_ends(&exact.text);
     let found = compiled(&Source { text, ..exact });
     assert_eq!(found.freedom.platform, 1);
-    is_told(&found);
+    is_told(&found, "the loops do not close as they are written");
     // What is no rounding is refused as it is.
     let Err(refused) = compile(&tilted(0.02), &Options::default()) else {
         panic!("it moves");

@@ -107,6 +107,13 @@ fn angles(r: &Matrix3<f64>) -> [f64; 3] {
 impl Machine {
     /// As YAML, all numbers with so many digits behind the point, its frame turned as given.
     fn yaml(&self, frame: &Matrix3<f64>, digits: usize) -> Source {
+        self.measured(frame, digits, 0.0)
+    }
+
+    /// Each axis of each leg off by so much, radians and metres.
+    fn measured(&self, frame: &Matrix3<f64>, digits: usize, noise: f64) -> Source {
+        let mut random = Random(30);
+        let mut off = || Vector3::from([0, 1, 2].map(|_| noise * random.between(-1.0, 1.0)));
         let vector = |v: [f64; 3]| {
             let [x, y, z] = v.map(|x| format!("{x:.digits$}"));
             format!("[{x}, {y}, {z}]")
@@ -125,8 +132,9 @@ impl Machine {
             .unwrap();
             let mut here = Vector3::zeros();
             for (i, axis) in self.leg.iter().enumerate() {
-                let xyz = vector((axis.point - here).into());
-                let direction = vector(axis.direction.into());
+                let point = axis.point + off();
+                let xyz = vector((point - here).into());
+                let direction = vector((axis.direction + off()).into());
                 let driven = match i == 0 && k < self.driven {
                     true => ", actuated: true",
                     false => "",
@@ -136,7 +144,7 @@ impl Machine {
                     "        - {{name: j{k}_{i}, xyz: {xyz}, axis: {direction}{driven}}}"
                 )
                 .unwrap();
-                here = axis.point;
+                here = point;
             }
             let back = vector((-here).into());
             let tip = vector(angles(&leg.transpose()));
@@ -176,6 +184,19 @@ fn few_digits_stand_for_the_exact_mechanism() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// A Delta whose axes are measured turns its platform, which three motors hold all the same.
+#[test]
+fn what_is_measured_stays_as_it_is() {
+    let frame = Rotation3::new(Vector3::new(0.4, -1.1, 0.7)).into_inner();
+    for noise in [3e-4, 1e-3] {
+        let found = compiled(&delta().measured(&frame, 17, noise)).unwrap();
+        assert!(!found.freedom.translates, "{noise}");
+        let read = found.warnings.iter().map(|it| &*it.reason);
+        let read: Vec<&str> = read.filter(|it| it.contains("exactly so")).collect();
+        assert!(read.is_empty(), "{noise}: {read:?}");
+    }
 }
 
 fn compared(

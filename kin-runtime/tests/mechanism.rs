@@ -337,7 +337,9 @@ fn random(seed: u64) -> impl FnMut() -> f64 {
 /// Next to where their legs are stretched few configurations close.
 #[test]
 fn a_platform_on_nearly_straight_legs_moves() {
-    for bend in [0.3, 0.1, 0.03, 0.01, 0.003, -0.003, -0.01, -0.1, -0.3] {
+    for bend in [
+        0.3, 0.1, 0.03, 0.01, 0.005, 0.003, -0.003, -0.005, -0.01, -0.1, -0.3,
+    ] {
         let legs = [0.2, 2.4, 4.4].map(|angle: f64| {
             let [foot, head] =
                 [1.0, 0.3].map(|far| Vector3::new(angle.cos(), angle.sin(), 0.0) * far);
@@ -379,5 +381,23 @@ fn hexapods_move() {
         let hexapod = Mechanism::new(legs, (0..6).map(|i| 6 * i).collect());
         assert!(hexapod.is_mobile(), "{seed}");
         assert_eq!(hexapod.mobility(), 6, "{seed}");
+    }
+}
+
+/// Slides move by lengths, which may be short.
+#[test]
+fn a_small_stage_moves() {
+    for size in [1.0, 0.02, 5e-3, 2e-4] {
+        let [x, y] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Twist::prismatic);
+        let home = Pose::from_translation([size, 0.0, 0.0]);
+        let stage = Mechanism::new(
+            vec![
+                Chain::new(vec![x, y, turn(0.0, 0.0)], home),
+                Chain::new(vec![y, x], home),
+            ],
+            vec![0, 1],
+        );
+        assert!(stage.is_mobile(), "{size}");
+        assert_eq!(stage.mobility(), 2, "{size}");
     }
 }

@@ -8,9 +8,10 @@ const WAYS: u8 = 8;
 /// Steps along them, radians or multiples of the length; the first that closes counts. Next to where a
 /// leg is stretched only small ones do.
 const STEPS: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
-/// What has gone further has left home. Where loops close but for higher orders of a step, one that
-/// closes them to rounding is shorter.
-const LEFT: f64 = 1e-3;
+/// What has gone further, radians or multiples of the length, has left home. Where loops close but for
+/// higher orders of a step, up to the third, Newton's method goes back to what closes them to rounding;
+/// the fourth of a step that legs allow next to where they are stretched is rounding itself.
+const LEFT: f64 = 2e-3;
 /// Rows of the Jacobian that others leave less of, relative to its length, depend on these; directions
 /// that they leave less of are no motions.
 const ROUNDING: f64 = 1e-10;
@@ -48,15 +49,10 @@ impl Mechanism {
     /// one of them by a radian or its share of [`Mechanism::length`].
     fn motion(&self, way: u8, closing: &[Vec<f64>]) -> Option<Vec<f64>> {
         let anywhere = |i: usize| libm::sin(1.0 + 2.4 * i as f64 + 3.7 * f64::from(way));
-        let unit = |i: usize| match self.is_prismatic(i) {
-            true => self.length(),
-            false => 1.0,
-        };
-        let direction = (0..self.joints()).map(|i| anywhere(i) * unit(i));
+        let direction = (0..self.joints()).map(|i| anywhere(i) * self.unit(i));
         let mut motion: Vec<f64> = direction.collect();
         reject(closing, &mut motion);
-        let shares = motion.iter().enumerate().map(|(i, x)| x.abs() / unit(i));
-        let most = shares.fold(0.0, f64::max);
+        let most = self.size(&motion);
         (most > ROUNDING).then(|| motion.iter().map(|x| x / most).collect())
     }
 
@@ -64,8 +60,22 @@ impl Mechanism {
     fn along(&self, motion: &[f64], step: f64) -> Option<Vec<f64>> {
         let mut q: Vec<f64> = motion.iter().map(|rate| step * rate).collect();
         let gap = self.close_with(&[], &mut q);
-        let moved = q.iter().any(|x| x.abs() > LEFT);
+        let moved = self.size(&q) > LEFT;
         (gap <= 1e-12 * self.length() && moved).then_some(q)
+    }
+
+    /// How far joints have moved at most, radians or multiples of the length.
+    fn size(&self, q: &[f64]) -> f64 {
+        let shares = q.iter().enumerate().map(|(i, x)| x.abs() / self.unit(i));
+        shares.fold(0.0, f64::max)
+    }
+
+    /// What a joint's values are measured by.
+    fn unit(&self, joint: usize) -> f64 {
+        match self.is_prismatic(joint) {
+            true => self.length(),
+            false => 1.0,
+        }
     }
 }
 

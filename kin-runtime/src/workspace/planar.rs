@@ -75,7 +75,8 @@ impl Planar {
 
     fn distance(&self, point: [f64; 3]) -> Option<f64> {
         let above = dot(sub(point, self.first.point), self.first.direction);
-        let in_plane = |height: f64| (above - height).abs() <= EXACT * self.size(point);
+        let off = EXACT * self.lengths.iter().sum::<f64>() + ROUNDING * self.size(point);
+        let in_plane = |height: f64| (above - height).abs() <= off;
         let is_there = self.height.is_none_or(in_plane);
         is_there.then(|| norm(self.first.offset(point)))
     }

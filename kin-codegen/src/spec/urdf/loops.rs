@@ -34,8 +34,8 @@ use kin_runtime::Pose;
 use roxmltree::{Document, Node};
 use std::collections::HashSet;
 
-/// Points of two links that are to be one, relative to the robot's extent.
-const TOGETHER: f64 = 1e-6;
+/// Points of two links that are to be one, relative to the robot's extent: to five digits or so.
+const TOGETHER: f64 = 1e-4;
 
 /// Children of `<loop_joint>` that are read.
 const PARTS: [&str; 4] = ["link1", "link2", "axis", "limit"];

@@ -35,7 +35,7 @@
 //! driven has `actuated: true`; all others are passive.
 //!
 //! All chains are at home together: with all joint values 0 each has to end at
-//! the same platform pose, to 1e-6 of the mechanism's length.
+//! the same platform pose, to 1e-4 of the size of a chain; from 1e-6 on that is told.
 
 use super::fields::{Fields, Reader};
 use super::node::{Node, Value};
