@@ -186,6 +186,66 @@ fn few_digits_stand_for_the_exact_mechanism() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
+/// Loop joints of a URDF close with as few digits as chains of a YAML.
+#[test]
+fn a_four_bar_of_a_urdf_may_have_five_digits() {
+    let mut random = Random(40);
+    for _ in 0..6 {
+        let turns = [0, 1, 2].map(|_| random.between(-3.0, 3.0));
+        let frame = Rotation3::new(Vector3::from(turns)).into_inner();
+        let spun = Rotation3::from_axis_angle(&Vector3::z_axis(), random.between(-3.0, 3.0));
+        let [pin, ground, end] = [[0.3, 0.1, 0.0], [1.0, 0.05, 0.0], [0.8, 0.55, 0.0]];
+        let [pin, ground, end] = [pin, ground, end].map(Vector3::from);
+        let list = |v: [f64; 3]| format!("{:.5} {:.5} {:.5}", v[0], v[1], v[2]);
+        let [first, second] = [frame, frame * spun.matrix()].map(|it| list(angles(&it)));
+        let foot = list((frame * ground).into());
+        let [coupler, rocker] =
+            [end - pin, spun.inverse() * (end - ground)].map(|v| list(v.into()));
+        let pin = list(pin.into());
+        let joint = |name: &str, parent: &str, child: &str, origin: &str| {
+            format!(
+                "<joint name=\"{name}\" type=\"continuous\"><parent link=\"{parent}\"/>\
+                 <child link=\"{child}\"/><origin {origin}/><axis xyz=\"0 0 1\"/></joint>\n"
+            )
+        };
+        let text = format!(
+            "<robot name=\"four_bar\">\n<link name=\"frame\"/><link name=\"crank\"/>\
+             <link name=\"coupler\"/><link name=\"rocker\"/>\n{}{}{}\
+             <loop_joint name=\"end\" type=\"revolute\"><link1 link=\"coupler\" xyz=\"{coupler}\"/>\
+             <link2 link=\"rocker\" xyz=\"{rocker}\"/><axis xyz=\"0 0 1\"/></loop_joint>\n\
+             <transmission name=\"drive\"><type>transmission_interface/SimpleTransmission</type>\
+             <joint name=\"turn\"/></transmission>\n</robot>\n",
+            joint("turn", "frame", "crank", &format!("rpy=\"{first}\"")),
+            joint("pin", "crank", "coupler", &format!("xyz=\"{pin}\"")),
+            joint(
+                "foot",
+                "frame",
+                "rocker",
+                &format!("xyz=\"{foot}\" rpy=\"{second}\"")
+            ),
+        );
+        let path = "four_bar.urdf".into();
+        let tip = Some("coupler".into());
+        let options = Options {
+            tip,
+            ..Options::default()
+        };
+        let Ok(Compiled::Mechanism(found)) = compile(
+            &Source {
+                path,
+                text: text.clone(),
+            },
+            &options,
+        ) else {
+            panic!("{text}");
+        };
+        let generic = found.mechanism.generic();
+        assert_eq!(found.freedom.platform, 1);
+        let near = generic.fk_near(&[0.2], &[0.0; 4]).expect("it closes");
+        assert!(generic.gap(&near) < 1e-11, "{text}");
+    }
+}
+
 /// A Delta whose axes are measured turns its platform, which three motors hold all the same.
 #[test]
 fn what_is_measured_stays_as_it_is() {
