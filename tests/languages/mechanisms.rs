@@ -4,7 +4,8 @@ use crate::js::JsRobot;
 use crate::meeting::apart;
 use crate::program::{Compiler, END, Program, generated};
 use crate::{Written, by_rows, read, rows, write};
-use kin_codegen::mechanism::CompiledMechanism;
+use kin_codegen::closed_form::ClosedForm;
+use kin_codegen::mechanism::{CompiledMechanism, ForwardMethod};
 use kin_codegen::{Compiled, GeneratedJs, Options, compile};
 use kinematics::__private::math;
 use kinematics::Twist;
@@ -390,12 +391,23 @@ fn assemblies(
         count as usize <= mechanism.forward.assembly_modes(),
         "{of:?}: {count}"
     );
+    // An elimination beside the branches numbers what it finds from these on.
+    let numbers = match &mechanism.forward {
+        ForwardMethod::Loop(found) => {
+            match found.passive.form().and_then(ClosedForm::elimination) {
+                Some(_) => found.passive.branches() + mechanism.forward.assembly_modes(),
+                None => found.passive.branches(),
+            }
+        }
+        _ => mechanism.forward.assembly_modes(),
+    };
     let mut is_among = false;
     let mut last = -1;
     let here = generic.poses(q)[0];
     for _ in 0..count {
         let branch = said.integer();
         assert!(branch > last, "{of:?}: {branch} after {last}");
+        assert!((branch as usize) < numbers, "{of:?}: {branch}");
         last = branch;
         let residual = said.number();
         let found: Vec<f64> = q.iter().map(|_| said.number()).collect();
