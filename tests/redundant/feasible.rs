@@ -6,7 +6,7 @@ use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
     Criterion, FeasibleInterval, JointLimit, Parameter, Pose, RedundantKinematics, Robot,
-    RobotOptions, RobotSource, Solutions,
+    RobotOptions, RobotSource, Solution, Solutions,
 };
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
@@ -610,6 +610,37 @@ fn a_limit_that_is_hardly_passed_cuts_an_interval() {
         }
     }
     assert!(cuts > 5, "{cuts}");
+}
+
+/// An island of the parameter of less than 1e-3 rad, on which the third joint makes a third of a turn:
+/// three points of its curve lead nowhere by Newton's method at a value of the parameter.
+#[test]
+fn limits_cut_an_island_between_few_points() {
+    let q = [
+        1.427_894_618_560_699,
+        -0.972_175_879_107_454,
+        2.564_366_786_551_624_4,
+        2.630_914_636_979_406_9,
+        -0.924_787_328_724_790_3,
+        3.058_923_518_799_376,
+        2.209_497_321_966_020_8,
+    ];
+    let arm = crate::PandaByWrist;
+    let target = arm.fk(&q);
+    for width in [1e-5, 1e-3, 0.1, 0.2] {
+        for joint in [2, 4] {
+            let mut limits = [JointLimit::revolute(-7.0, 7.0); 7];
+            let from = q[joint] - 0.115 * width;
+            limits[joint] = JointLimit::revolute(from, from + width);
+            let within = arm.feasible_within(&target, &limits);
+            let held = within.iter().filter(|it| it.contains(q[5]));
+            let solutions = arm.ik_at(&target, q[5]);
+            let kept = |it: &&Solution<7>| limits[joint].nearest(it.q[joint], 0.0).is_some();
+            let expected = solutions.iter().filter(kept).count();
+            assert!(expected > 0);
+            assert_eq!(held.count(), expected, "{joint} {width}: {within:?}");
+        }
+    }
 }
 
 /// A joint that is clamped leaves points of the curves: where it has its value.

@@ -2,13 +2,18 @@
 
 use super::arcs::Arc;
 use super::lanes::MIDDLES;
-use super::task::{Point, Task};
-use crate::continuation::along;
+use super::task::{Place, Point, Task};
+use crate::continuation::{Cut, along};
+use crate::linear::vector::{dot, norm};
 use crate::{FeasibleInterval, RedundantKinematics, math};
 use core::f64::consts::{PI, TAU};
 
 /// Arguments of roots below this are zero: the branches of both signs are one.
 const ZERO_ARGUMENT: f64 = 1e-11;
+/// Halvings of the way between two points of an arc.
+const HALVINGS: usize = 24;
+/// Which side of a fold points are on that are nearer to each other is rounding.
+const SHORT: f64 = 1e-6;
 
 /// A branch over an interval of the parameter.
 pub(super) struct Curve {
@@ -145,22 +150,47 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         Some(self.point(&found.q, value))
     }
 
+    /// Between two points of an arc.
     fn near_points(&self, arc: &Arc, value: f64) -> Option<Point> {
         let parameter = self.parameter;
         let behind = arc.points.partition_point(|x| x[parameter] < value);
         let behind = behind.clamp(1, arc.points.len().max(2) - 1);
         let (from, to) = (arc.points.get(behind - 1)?, arc.points.get(behind)?);
-        let way = self.way(from, to);
-        let share = match way[parameter] > 0.0 {
-            true => ((value - from[parameter]) / way[parameter]).clamp(0.0, 1.0),
-            false => 0.0,
-        };
-        let share = eased(arc, behind, share);
-        let guess = along(from, &way, share);
-        match share == 0.0 || share == 1.0 {
-            true => Some(guess),
-            false => self.meet_at(parameter, value, guess),
+        if value <= from[parameter] {
+            return Some(*from);
         }
+        if value >= to[parameter] {
+            return Some(*to);
+        }
+        let eased = |value: f64| eased(arc, parameter, value);
+        let (mut from, mut to) = (*from, *to);
+        for _ in 0..HALVINGS {
+            let way = self.way(&from, &to);
+            let [a, b, at] = [from[parameter], to[parameter], value].map(eased);
+            let guess = along(&from, &way, (at - a) / (b - a));
+            let found = self.meet_at(parameter, value, guess);
+            if let Some(found) = found.filter(|found| self.goes(&way, &guess, found)) {
+                return Some(found);
+            }
+            // Across the way, which folds do not turn back from.
+            let point = along(&from, &way, 0.5);
+            let middle = self.meet(&Cut { normal: way, point }, point)?;
+            match middle[parameter] {
+                p if p > from[parameter] && p <= value => from = middle,
+                p if p > value && p < to[parameter] => to = middle,
+                _ => return None,
+            }
+        }
+        None
+    }
+
+    /// Whether a point is on the way from one point of an arc to the next: next to a fold there is
+    /// one that goes back, beside it.
+    fn goes(&self, way: &Point, guess: &Point, found: &Point) -> bool {
+        let length = norm(*way);
+        let is_near = norm(self.way(guess, found)) <= 0.5 * length;
+        let ahead = |place: Place| dot(place.tangent, *way) >= 0.5 * length;
+        is_near && (length < SHORT || self.place(*found).is_some_and(ahead))
     }
 
     /// An interval with its lower end in (−π, π], if the parameter is an angle.
@@ -186,18 +216,17 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 }
 
-/// How far along the chord a share of the parameter's way is: next to a fold the parameter goes
-/// with the square of the way.
-fn eased(arc: &Arc, behind: usize, share: f64) -> f64 {
-    let (first, last) = (behind == 1, behind == arc.points.len() - 1);
-    match (arc.is_closed, first, last) {
-        (true, ..) | (_, false, false) => share,
-        (_, true, false) => math::sqrt(share),
-        (_, false, true) => 1.0 - math::sqrt(1.0 - share),
-        // Both ends in one cell: half a turn of a cosine.
-        (_, true, true) => {
-            let angle = math::atan2(2.0 * math::sqrt(share * (1.0 - share)), 1.0 - 2.0 * share);
-            angle / PI
+/// A value of the parameter as that of which joints are smooth functions also next to the ends of
+/// an arc: there the parameter goes with the square of the way.
+fn eased(arc: &Arc, parameter: usize, value: f64) -> f64 {
+    let ends = arc.points.first().zip(arc.points.last());
+    let [from, to] = ends.map_or([value; 2], |(from, to)| [from, to].map(|x| x[parameter]));
+    match arc.is_closed {
+        true => value,
+        false => {
+            let [before, behind] =
+                [value - from, to - value].map(|x| math::sqrt(math::max(x, 0.0)));
+            2.0 * math::atan2(before, behind)
         }
     }
 }
