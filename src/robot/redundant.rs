@@ -28,7 +28,8 @@ impl Robot {
     }
 
     /// What these numbers are: the names of joints, `swivel` for the swivel angle, `turn` for the
-    /// turn of the tool about the tip's z axis; in the order in which they are given.
+    /// turn of the tool about the tip's z axis (which [`RobotOptions::free`](crate::RobotOptions)
+    /// does not take: the target leaves it free); in the order in which they are given.
     pub fn parameter_names(&self) -> Vec<&str> {
         let names = self.joint_names();
         let name = |place| match self.parameter(place)? {

@@ -142,6 +142,16 @@ fn options_that_cannot_be_followed_have_a_remedy() {
         "wrist_3_joint",
     );
     assert_refused(
+        "../robots/ur5e.urdf",
+        &Options {
+            target: Some(Target::PositionAxis),
+            ..free(&["turn"])
+        },
+        "there is no joint `turn` to stay free",
+        "leave it out: with `target = position_axis` the turn of the tool is given unless `free` \
+         names a joint in its place",
+    );
+    assert_refused(
         panda,
         &free(&["swivel"]),
         "the first three and the last three meet in a point each; from `base` to `joint7_link` \

@@ -60,6 +60,7 @@ fn check_travel(spec: &ArmSpec, chain: &Chain, diagnostics: &mut Collector) {
 fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
     let name = &joint.name;
     let turns = joint.kind == JointType::Revolute;
+    let unit = if turns { "rad" } else { "m" };
     let (lower, upper, at) = match joint.limits {
         Limits::Unlimited => return,
         Limits::Missing => {
@@ -82,7 +83,9 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
     if lower > upper {
         diagnostics.at(
             at,
-            format!("joint `{name}` has the lower limit {lower} above the upper limit {upper}"),
+            format!(
+                "joint `{name}` has the lower limit {lower} {unit} above the upper limit {upper} {unit}"
+            ),
             match turns {
                 true => {
                     "swap them if that is what is meant; where it means no limits, as some \
@@ -104,16 +107,14 @@ fn check_joint(joint: &Joint, diagnostics: &mut Collector) {
             "write its limits, or make it fixed (or continuous, if it turns freely)",
         );
     } else if lower == -upper && BOUNDLESS.contains(&upper) {
-        let (moves, unit, remedy) = match turns {
+        let (moves, remedy) = match turns {
             true => (
                 "turns",
-                "rad",
                 "make it continuous if it turns freely (in YAML, leave out `limits`); if degrees are \
                  meant, write radians",
             ),
             false => (
                 "slides",
-                "m",
                 "write how far it slides; if millimetres are meant, write metres",
             ),
         };

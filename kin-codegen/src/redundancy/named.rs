@@ -111,9 +111,14 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
         None => format!("there is no joint `{name}` to stay free"),
     };
     let listed: Vec<&str> = name.split(',').map(str::trim).collect();
-    let remedy = match listed.len() > 1 && listed.iter().all(|part| known.contains(part)) {
-        true => format!("name each by itself: `free = {listed:?}`, or `--free` once for each"),
-        false => did_you_mean(name, &known),
+    let remedy = match name {
+        _ if listed.len() > 1 && listed.iter().all(|part| known.contains(part)) => {
+            format!("name each by itself: `free = {listed:?}`, or `--free` once for each")
+        }
+        "turn" => "leave it out: with `target = position_axis` the turn of the tool is given \
+                   unless `free` names a joint in its place"
+            .into(),
+        _ => did_you_mean(name, &known),
     };
     Err((reason, remedy))
 }
