@@ -256,7 +256,8 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
         Coupled::Joints { joints, target } => {
             let coordinates = target.coordinates();
             format!(
-                ", and the {joints} joints are more than the {coordinates} coordinates of targets"
+                ", and such chains are solved of up to {coordinates} joints, those that mimic others \
+                 counted: this has {joints}"
             )
         }
         Coupled::Redundant => {

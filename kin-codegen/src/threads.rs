@@ -4,12 +4,18 @@ use kin_runtime::__private::reproducible::{reproducibly, wanted};
 use std::iter;
 use std::num::NonZero;
 use std::panic::resume_unwind;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, Builder};
+use std::time::{Duration, Instant};
 
-/// As many as the processor runs at once.
+/// Several times what it takes to start a thread.
+const ALONE: Duration = Duration::from_micros(200);
+
+/// As many as the processor runs at once, which the system says by files.
 pub fn count() -> usize {
-    thread::available_parallelism().map_or(1, NonZero::get)
+    static COUNT: OnceLock<usize> = OnceLock::new();
+    *COUNT.get_or_init(|| thread::available_parallelism().map_or(1, NonZero::get))
 }
 
 /// What comes of each, in their order, as if this thread had done all, as it does where no other can be
@@ -19,7 +25,17 @@ pub fn each<T: Sync, R: Send>(all: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R
     if workers < 2 {
         return all.iter().map(work).collect();
     }
-    let next = AtomicUsize::new(0);
+    // Alone, while there is not much to do.
+    let begun = Instant::now();
+    let mut first = Vec::new();
+    while first.len() < all.len() && begun.elapsed() < ALONE {
+        first.push(work(&all[first.len()]));
+    }
+    if first.len() == all.len() {
+        return first;
+    }
+    let workers = workers.min(all.len() - first.len());
+    let next = AtomicUsize::new(first.len());
     let take = || {
         let place = next.fetch_add(1, Ordering::Relaxed);
         Some((place, work(all.get(place)?)))
@@ -40,7 +56,8 @@ pub fn each<T: Sync, R: Send>(all: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R
         done
     });
     done.sort_unstable_by_key(|(place, _)| *place);
-    done.into_iter().map(|(_, result)| result).collect()
+    first.extend(done.into_iter().map(|(_, result)| result));
+    first
 }
 
 #[cfg(test)]

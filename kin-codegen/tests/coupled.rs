@@ -257,11 +257,17 @@ fn a_remote_centre_is_one_joint() {
     // An angle that is another one at home turns what is carried about no axis.
     let tilted = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1, offset: 10");
     let said = Arm::new(&tilted, None).err().unwrap();
-    assert!(said.contains("the 8 joints are more than the 6"), "{said}");
+    assert!(
+        said.contains("of up to 6 joints, those that mimic others counted: this has 8"),
+        "{said}"
+    );
     // Of other angles three are no one.
     let other = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1.5");
     let said = Arm::new(&other, None).err().unwrap();
-    assert!(said.contains("the 8 joints are more than the 6"), "{said}");
+    assert!(
+        said.contains("of up to 6 joints, those that mimic others counted: this has 8"),
+        "{said}"
+    );
 }
 
 #[test]
@@ -314,7 +320,8 @@ fn refusals_say_why() {
         "name: eight, xyz: [0, 1, 0], axis: [1, 0, 0], limits: [-90, 90]",
     ];
     let said = refused(&snake[..7]);
-    let why = "and the 7 joints are more than the 6 coordinates of targets";
+    let why =
+        "such chains are solved of up to 6 joints, those that mimic others counted: this has 7";
     assert!(said.contains(why), "{said}");
     assert!(
         said.contains("in front of the joints that mimic others"),

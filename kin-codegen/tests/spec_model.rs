@@ -699,6 +699,60 @@ fn a_tool_before_the_fingers_is_named() {
     );
 }
 
+/// A link that is named as a gripper is a jaw by limits that open to one side; a wrist may carry it.
+#[test]
+fn a_gripper_that_opens_is_a_jaw() {
+    let tip = |name: &str, limit: &str, hanging: &str| {
+        let names = ["pan", "lift", "elbow", "wrist"];
+        let links = ["base", "a", "b", "c", "d"];
+        let mut joints: String = (0..4)
+            .map(|i| joint(names[i], "continuous", links[i], links[i + 1], ""))
+            .collect();
+        joints += &joint(name, "revolute", "d", "gripper_link", limit);
+        joints += hanging;
+        accept(&urdf("base a b c d gripper_link tcp", &joints)).tip
+    };
+    let limit = |lower: f64, upper: f64| format!(r#"<limit lower="{lower}" upper="{upper}"/>"#);
+    let aside = joint("fix", "fixed", "base", "tcp", "");
+    for (lower, upper) in [(-1.75, 0.0), (0.0, 1.2), (-0.1, 2.0)] {
+        assert_eq!(tip("joint_5", &limit(lower, upper), &aside), "d");
+        assert_eq!(
+            tip("wrist_roll", &limit(lower, upper), &aside),
+            "gripper_link"
+        );
+        let tool = joint("fix", "fixed", "gripper_link", "tcp", "");
+        assert_eq!(tip("joint_5", &limit(lower, upper), &tool), "tcp");
+    }
+    for (lower, upper) in [(-1.75, 1.75), (0.0, 3.0), (-0.1, 0.1), (0.5, 1.5)] {
+        assert_eq!(tip("joint_5", &limit(lower, upper), &aside), "gripper_link");
+    }
+}
+
+/// What hangs between the jaws is called in many ways.
+#[test]
+fn a_frame_between_jaws_is_the_tip() {
+    let limbs = limbs(&[("base", "arm", 6)]);
+    let read = |frame: &str| {
+        let more = [
+            joint("open_l", "prismatic", "arm6", "l", LIMIT),
+            joint("open_r", "prismatic", "arm6", "r", LIMIT),
+            joint("between", "fixed", "arm6", frame, ""),
+        ];
+        let links = [frame, "l", "r"].map(|link| format!("<link name=\"{link}\"/>"));
+        let more = links.concat() + &more.concat() + "</robot>";
+        accept(&limbs.replace("</robot>", &more))
+    };
+    for frame in ["tool_tip_link", "left_gripper_center", "grasping_point"] {
+        assert_eq!(read(frame).tip, frame);
+    }
+    let other = read("gripper_middle");
+    let remedy = "name the tip if you mean another one, such as `gripper_middle` (tip)";
+    assert_eq!(
+        (other.tip.as_str(), &*other.warnings[0].remedy),
+        ("arm6", remedy)
+    );
+}
+
 /// Fingers on an arm of fewer joints than those that carry a hand elsewhere were told as two arms,
 /// the same in every word.
 #[test]

@@ -1,12 +1,13 @@
 //! The same robots read while the program runs: what generated code computes, to the last bit.
 
 use crate::cached::cached;
+use crate::random::Random;
 use crate::several::{GantryIiwa, MobilePanda, PandaTool};
 use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
     Answers, Criterion, Follow, HighlyRedundantKinematics, Ik, Nearest, Parameter, Pose,
-    RedundantKinematics, Robot, RobotOptions, Solutions,
+    RedundantKinematics, Robot, RobotOptions, RobotSource, Solutions,
 };
 use std::mem::discriminant;
 
@@ -316,5 +317,42 @@ fn a_turn_behind_eight_joints_has_its_intervals() {
         let intervals = along.feasible(&target);
         let holds = |it: &kinematics::Interval| it.contains(given[place]);
         assert!(intervals.iter().any(holds), "{place}: {intervals:?}");
+    }
+}
+
+/// Arms in series: what bounds the rotations that a step sees was computed anew on every way to every
+/// part of them, as many as powers of two.
+#[test]
+fn long_chains_are_read() {
+    const ARMS: usize = 7;
+    let arm = "0.1625, 0, pi/2; 0, -0.425, 0; 0, -0.3922, 0; 0.1333, 0, pi/2; 0.0997, 0, -pi/2; \
+               0.0996, 0, 0";
+    let mut text = "robot: series\nunits: {angle: rad, length: m}\ndh:\n".to_owned();
+    for k in 0..ARMS {
+        for (i, row) in arm.split(';').enumerate() {
+            let [d, a, alpha] = row.split(',').map(str::trim).collect::<Vec<_>>()[..] else {
+                panic!("three numbers");
+            };
+            let row = format!("theta: 0, d: {d}, a: {a}, alpha: {alpha}");
+            text += &format!("  - {{name: j{}, {row}}}\n", 6 * k + i);
+        }
+    }
+    let path = "series.yaml".to_owned();
+    let robot = Robot::load(&RobotSource { path, text }, &RobotOptions::default()).unwrap();
+    let joints = 6 * ARMS;
+    assert_eq!((robot.joints(), robot.parameters()), (joints, joints - 6));
+    let mut random = Random::new(52);
+    for _ in 0..10 {
+        let q: Vec<f64> = (0..joints).map(|_| random.angle()).collect();
+        let pose = robot.fk(&q);
+        let solutions = robot.ik_at(&pose, &robot.redundancy(&pose, &q));
+        let apart = |it: &[f64]| {
+            let each = it
+                .iter()
+                .zip(&q)
+                .map(|(a, b)| (a - b).sin().hypot((a - b).cos() - 1.0));
+            each.fold(0.0, f64::max)
+        };
+        assert!(solutions.iter().any(|it| apart(&it.q) < 1e-6));
     }
 }

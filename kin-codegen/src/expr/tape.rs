@@ -326,7 +326,16 @@ impl Tape {
     #[inline(never)]
     fn solve<const L: usize>(&self, roots: &Roots, values: &mut [[f64; L]]) {
         let coefficients = roots.coefficients.map(|place| values[usize::from(place)]);
+        let all: [[u64; 5]; L] = std::array::from_fn(|k| coefficients.map(|c| c[k].to_bits()));
         for k in 0..L {
+            // Branches of one target mostly ask for the same roots.
+            if let Some(known) = all[..k].iter().rposition(|before| *before == all[k]) {
+                for part in roots.parts.iter().flatten() {
+                    let value = &mut values[usize::from(*part)];
+                    value[k] = value[known];
+                }
+                continue;
+            }
             let found = trig_roots(coefficients.map(|c| c[k]));
             for (TrigRoot { sin, cos, state }, parts) in found.iter().zip(&roots.parts) {
                 for (part, x) in parts.iter().zip([sin, cos, state]) {

@@ -13,6 +13,10 @@ const NOTHING: f64 = 1e-4;
 /// singular, but for the noise of its file.
 pub const SINGULAR: f64 = 1e-5;
 
+/// Below this conditioning of the Jacobian of its positions an arm is planar, or as short of a
+/// direction in another way, but for the noise of its file.
+const FLAT: f64 = 2e-3;
+
 /// What an arm can be asked for: the position of its tip where that alone
 /// fixes the joints (a planar 2R arm, the first three joints of a larger one),
 /// otherwise the whole pose.
@@ -29,7 +33,7 @@ pub fn natural_target(model: &Model) -> Target {
     let chain = model.chain();
     let size = size(model);
     let n = model.joints.len();
-    let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > SINGULAR;
+    let fixed = |q: &Vec<f64>| conditioning(&chain, q, size, Target::Position) > FLAT;
     if n <= 3 && configurations(model).iter().any(fixed) {
         Target::Position
     } else {

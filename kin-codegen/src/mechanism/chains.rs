@@ -276,6 +276,7 @@ fn chain(looped: &LoopedTree, path: &[Passed]) -> ChainSpec {
             joints,
             tip: None,
             warnings: Vec::new(),
+            apart: Vec::new(),
             source: spec.source.clone(),
         },
     }

@@ -24,6 +24,13 @@ pub(super) fn choose(
     tip: Option<&str>,
     diagnostics: &mut Collector,
 ) -> Option<Chain> {
+    match base {
+        None => spec.refuse_apart(diagnostics),
+        Some(_) => diagnostics.put_warnings(&spec.apart),
+    }
+    if !diagnostics.is_empty() {
+        return None;
+    }
     if spec.joints.iter().all(|it| it.kind == JointType::Fixed) {
         diagnostics.whole(
             "no joint of this robot moves, so it is no arm",
@@ -41,6 +48,15 @@ pub(super) fn choose(
         None => Some(default_tip(spec, base_link?, diagnostics)?),
     };
     let (base, tip) = (base_link?, tip_link?);
+    if !tree.ancestors(tip).any(|link| link == base) {
+        let [base, tip] = [base, tip].map(|link| &spec.links[link].name);
+        diagnostics.whole(
+            format!("no joints lead from `{base}` to `{tip}`: the robot falls apart"),
+            "name two links of one part (base, tip), or connect the parts",
+        );
+        spec.refuse_apart(diagnostics);
+        return None;
+    }
     let joints = tree.path(base, tip);
     if joints.is_empty() {
         let name = &spec.links[base].name;

@@ -30,7 +30,7 @@ use std::collections::{BTreeSet, HashMap};
 
 /// What the field calls the tip, the first choice first: as a whole name, or
 /// behind a prefix (`panda_hand_tcp`).
-const NAMES: [&str; 20] = [
+const NAMES: [&str; 28] = [
     "tool0",
     "tcp",
     "tcp_link",
@@ -51,6 +51,14 @@ const NAMES: [&str; 20] = [
     "gripper_frame_link",
     "gripper_frame",
     "end_link",
+    "tool_tip",
+    "tool_tip_link",
+    "gripper_center",
+    "gripper_center_link",
+    "grasp_point",
+    "grasping_point",
+    "grasp_center",
+    "grasping_frame",
 ];
 
 /// A link with such a word in its name hangs beside the tip.
@@ -412,6 +420,22 @@ impl Below<'_> {
         tip
     }
 
+    /// The only one of links that move together on which nothing hangs that is no camera or the
+    /// like.
+    fn only_leaf(&self, rigid: &[usize]) -> Option<usize> {
+        match self.leaves(rigid)[..] {
+            [leaf] => Some(leaf),
+            _ => None,
+        }
+    }
+
+    fn leaves(&self, rigid: &[usize]) -> Vec<usize> {
+        let is_aside = |&j: &usize| self.is_aside(self.spec.joints[j].child);
+        let is_leaf =
+            |link: &&usize| self.children[**link].iter().all(is_aside) && !self.is_aside(**link);
+        rigid.iter().filter(is_leaf).copied().collect()
+    }
+
     /// The same, and what else may be meant.
     fn end(&self, link: usize, fingers: bool) -> (usize, Option<String>) {
         let rigid = self.rigid(link);
@@ -430,10 +454,7 @@ impl Below<'_> {
         if fingers {
             return (link, None);
         }
-        let is_aside = |&j: &usize| self.is_aside(self.spec.joints[j].child);
-        let is_leaf =
-            |link: &&usize| self.children[**link].iter().all(is_aside) && !self.is_aside(**link);
-        let leaves: Vec<usize> = rigid.iter().filter(is_leaf).copied().collect();
+        let leaves = self.leaves(&rigid);
         match leaves[..] {
             [] => return (link, None),
             [leaf] => return (leaf, None),
@@ -453,7 +474,10 @@ impl Below<'_> {
         let fingers = arm.fingers.iter().map(|&j| &self.spec.joints[j]);
         let names: Vec<&str> = fingers.map(|joint| joint.name.as_str()).collect();
         let moved = arm.joints.last().map(|&j| self.spec.joints[j].child);
-        let beside = moved.and_then(|link| self.named(&self.rigid(link)));
+        let beside = moved.and_then(|link| {
+            let rigid = self.rigid(link);
+            self.named(&rigid).or_else(|| self.only_leaf(&rigid))
+        });
         let name = |link: usize| self.spec.links[link].name.as_str();
         let remedy = match beside.filter(|link| *link != tip) {
             Some(beside) => format!(

@@ -50,7 +50,8 @@ use kin_runtime::Pose;
 /// forks off behind an arm of three joints or more, in lines of no more joints than the arm has, nor
 /// than four, or five where there are three lines or more; and at the end of a chain joints that
 /// mimic others than those before them, slides of less than 12 cm and joints named as a gripper's, or
-/// that move a link named so, unless they turn the wrist that carries a jaw, turn what two jaws slide
+/// that move a link named so (one that is named `gripper` itself: by limits that open from zero to one
+/// side), unless they turn the wrist that carries a jaw, turn what two jaws slide
 /// on that do not mimic them, or slide by 12 cm or more. A shorter slide is the arm's where it moves a
 /// link that is called as a tip is, or, in a chain of up to five joints, is parallel to the axes of
 /// all that turn before it, two at least, with nothing beside it that moves, as the quill of a SCARA.
@@ -58,7 +59,9 @@ use kin_runtime::Pose;
 /// is called, perhaps behind a prefix, `tool0`, `tcp`, `tcp_link`, `tool`,
 /// `tool_link`, `tool_frame`, `flange`, `flange_link`, `ee_link`, `ee`,
 /// `ee_frame`, `eef`, `eef_link`, `end_effector`, `end_effector_link`,
-/// `grasp_link`, `grasp_frame`, `gripper_frame_link`, `gripper_frame` or `end_link`;
+/// `grasp_link`, `grasp_frame`, `gripper_frame_link`, `gripper_frame`, `end_link`, `tool_tip`,
+/// `tool_tip_link`, `gripper_center`, `gripper_center_link`, `grasp_point`, `grasping_point`,
+/// `grasp_center` or `grasping_frame`;
 /// without these the only leaf; otherwise the link that the joint moves or that
 /// carries the fingers. A file with several arms is ambiguous, and the error
 /// lists them, those of most joints first. Wheels, casters and heads make no file ambiguous: where
@@ -97,6 +100,10 @@ pub struct ArmSpec {
     pub tip: Option<String>,
     /// What the file has that is odd, and changes no frame and no joint value.
     pub warnings: Vec<Diagnostic>,
+    /// Why it is no one tree, if it is not: links that joints name and the file does not introduce
+    /// (they are behind the others of `links`), parts that no joint connects. Between two links of
+    /// one part there is a chain all the same.
+    pub apart: Vec<Diagnostic>,
     /// Where all of this was read, for messages.
     pub source: Source,
 }

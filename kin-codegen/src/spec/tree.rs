@@ -47,7 +47,7 @@ pub(super) struct DraftMimic {
     pub offset: f64,
 }
 
-/// Looks up all names and checks that the joints form one tree.
+/// Looks up all names and checks that the joints form a tree, of which parts may be apart.
 ///
 /// Whether there is one root is asked only if nothing was wrong before, since
 /// a joint that could not be read leaves a hole in the tree.
@@ -81,37 +81,102 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
         diagnostics.whole(reason, "give it a shorter name");
     }
     let mut resolved = Vec::new();
+    let mut missing = Missing::default();
     let broken = !diagnostics.is_empty();
     for joint in &draft.joints {
         // What is wrong with a joint may follow from what is wrong elsewhere.
         if !broken || joint.faults.is_empty() {
-            resolved.extend(resolve(joint, &links, &joints, diagnostics));
+            let ends = [(&joint.parent, &joint.child), (&joint.child, &joint.parent)];
+            let [parent, child] = [0, 1].map(|end| {
+                let found = links.by_name.get(ends[end].0.text.as_str());
+                found.copied().unwrap_or_else(|| {
+                    missing.report(
+                        joint,
+                        ["parent", "child"][end],
+                        ends[end],
+                        &links,
+                        diagnostics,
+                    )
+                })
+            });
+            resolved.push(resolve(joint, [parent, child], &joints, diagnostics));
         }
     }
     if !diagnostics.is_empty() {
         // No chain will tell which faults matter: all are told.
         let faults = draft.joints.iter().flat_map(|joint| &joint.faults);
         diagnostics.put(faults.cloned());
+        diagnostics.put(missing.faults);
         return None;
     }
-    let spec = ArmSpec {
+    let introduced = draft.links.iter().chain(missing.links);
+    let link = |name: &Name| Link {
+        name: name.text.clone(),
+        at: name.at,
+    };
+    let mut spec = ArmSpec {
         name: draft.name,
-        links: draft
-            .links
-            .into_iter()
-            .map(|l| Link {
-                name: l.text,
-                at: l.at,
-            })
-            .collect(),
+        links: introduced.map(link).collect(),
         joints: resolved,
         tip: draft.tip,
         warnings: Vec::new(),
+        apart: missing.faults,
         source: source.clone(),
     };
-    check_tree(&spec, diagnostics);
+    check_tree(&mut spec, diagnostics);
     check_mimics(&spec, diagnostics);
+    if !diagnostics.is_empty() {
+        spec.refuse_apart(diagnostics);
+    }
     diagnostics.is_empty().then_some(spec)
+}
+
+/// Links that joints name and the file does not introduce.
+#[derive(Default)]
+struct Missing<'d> {
+    links: Vec<&'d Name>,
+    faults: Vec<Diagnostic>,
+}
+
+impl<'d> Missing<'d> {
+    /// Reports the link at one end of a joint, and gives it a place behind the others.
+    fn report(
+        &mut self,
+        joint: &DraftJoint,
+        role: &str,
+        (name, other): (&'d Name, &Name),
+        links: &Index,
+        diagnostics: &mut Collector,
+    ) -> usize {
+        let before = diagnostics.len();
+        let reason = format!(
+            "the {role} of joint `{}` is `{}`, and there is no such link",
+            joint.name.text, name.text
+        );
+        // No joint has one link at both ends.
+        let others = links.names.iter().copied().filter(|it| *it != other.text);
+        let remedy = diagnostics.link_for(&name.text, &others.collect::<Vec<_>>());
+        diagnostics.at(name.at, reason, remedy);
+        self.faults.extend(diagnostics.take_since(before));
+        let known = self.links.iter().position(|it| it.text == name.text);
+        let place = known.unwrap_or_else(|| {
+            self.links.push(name);
+            self.links.len() - 1
+        });
+        links.names.len() + place
+    }
+}
+
+impl ArmSpec {
+    /// Reports that it is no one tree, if it is not.
+    pub(crate) fn refuse_apart(&self, diagnostics: &mut Collector) {
+        if self.apart.is_empty() {
+            return;
+        }
+        // No chain will tell which faults matter: all are told.
+        let faults = self.joints.iter().flat_map(|joint| &joint.faults);
+        diagnostics.put(faults.chain(&self.apart).cloned());
+    }
 }
 
 /// Names in the order of the file, and their places in it.
@@ -164,37 +229,21 @@ fn refuse_long(what: &str, name: &Name, diagnostics: &mut Collector) {
 
 fn resolve(
     joint: &DraftJoint,
-    links: &Index,
+    [parent, child]: [usize; 2],
     joints: &Index,
     diagnostics: &mut Collector,
-) -> Option<Joint> {
-    let mut link = |name: &Name, role: &str, other: &Name| {
-        let found = links.by_name.get(name.text.as_str()).copied();
-        if found.is_none() {
-            let reason = format!(
-                "the {role} of joint `{}` is `{}`, and there is no such link",
-                joint.name.text, name.text
-            );
-            // No joint has one link at both ends.
-            let others = links.names.iter().copied().filter(|it| *it != other.text);
-            let remedy = diagnostics.link_for(&name.text, &others.collect::<Vec<_>>());
-            diagnostics.at(name.at, reason, remedy);
-        }
-        found
-    };
-    let parent = link(&joint.parent, "parent", &joint.child);
-    let child = link(&joint.child, "child", &joint.parent);
+) -> Joint {
     let before = diagnostics.len();
     let mimic = joint
         .mimic
         .as_ref()
         .and_then(|mimic| resolve_mimic(&joint.name.text, mimic, joints, diagnostics));
     let faults = [&joint.faults[..], &diagnostics.take_since(before)].concat();
-    Some(Joint {
+    Joint {
         name: joint.name.text.clone(),
         kind: joint.kind,
-        parent: parent?,
-        child: child?,
+        parent,
+        child,
         origin: joint.origin,
         axis: joint.axis,
         mount: joint.mount,
@@ -203,7 +252,7 @@ fn resolve(
         rating: joint.rating,
         faults,
         at: joint.name.at,
-    })
+    }
 }
 
 /// Refuses a joint of a mechanism that mimics another.
@@ -241,8 +290,8 @@ fn resolve_mimic(
     })
 }
 
-/// Every link but one has exactly one parent, and none is its own ancestor.
-fn check_tree(spec: &ArmSpec, diagnostics: &mut Collector) {
+/// Every link but one of each part has exactly one parent, and none is its own ancestor.
+fn check_tree(spec: &mut ArmSpec, diagnostics: &mut Collector) {
     let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
     for (i, joint) in spec.joints.iter().enumerate() {
         let child = &spec.links[joint.child].name;
@@ -268,7 +317,7 @@ fn check_tree(spec: &ArmSpec, diagnostics: &mut Collector) {
     }
 }
 
-fn check_root(spec: &ArmSpec, above: &[Option<usize>], diagnostics: &mut Collector) {
+fn check_root(spec: &mut ArmSpec, above: &[Option<usize>], diagnostics: &mut Collector) {
     let roots: Vec<usize> = (0..spec.links.len())
         .filter(|&l| above[l].is_none())
         .collect();
@@ -278,15 +327,6 @@ fn check_root(spec: &ArmSpec, above: &[Option<usize>], diagnostics: &mut Collect
             "describe at least two links and a joint between them",
         );
     }
-    if let [_, second, ..] = roots[..] {
-        let names: Vec<&str> = roots.iter().map(|&l| spec.links[l].name.as_str()).collect();
-        let reason = format!(
-            "the robot falls apart: {} links have no parent: {}",
-            roots.len(),
-            list_names(&names)
-        );
-        diagnostics.at(spec.links[second].at, reason, "connect them with joints (fixed ones, if nothing moves), or remove the ones not in use");
-    }
     if let Some(joint) = first_in_cycle(spec, above) {
         let child = &spec.links[spec.joints[joint].child].name;
         let reason = format!("the joints run in a circle: link `{child}` is its own ancestor");
@@ -295,6 +335,20 @@ fn check_root(spec: &ArmSpec, above: &[Option<usize>], diagnostics: &mut Collect
             reason,
             "swap parent and child of the joint that points back",
         );
+    }
+    // Links that are missing say why.
+    if let (true, [_, second, ..]) = (spec.apart.is_empty(), &roots[..]) {
+        let before = diagnostics.len();
+        let names: Vec<&str> = roots.iter().map(|&l| spec.links[l].name.as_str()).collect();
+        let reason = format!(
+            "the robot falls apart: {} links have no parent: {}",
+            roots.len(),
+            list_names(&names)
+        );
+        let remedy = "connect them with joints (fixed ones, if nothing moves), or remove the ones not \
+                      in use; or name two links of one of them (base, tip)";
+        diagnostics.at(spec.links[*second].at, reason, remedy);
+        spec.apart = diagnostics.take_since(before);
     }
 }
 

@@ -54,7 +54,13 @@ fn read(source: &Source, diagnostics: &mut Collector) -> Option<Spec> {
     let tree = tree::build(draft, source, diagnostics)?;
     match loops::is_looped(&document) {
         false => Some(Spec::Arm(tree)),
-        true => loops::read(&document, tree, diagnostics).map(Spec::Mechanism),
+        true => {
+            tree.refuse_apart(diagnostics);
+            if !diagnostics.is_empty() {
+                return None;
+            }
+            loops::read(&document, tree, diagnostics).map(Spec::Mechanism)
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Writer;
 use super::root::Discriminant;
 use super::transport::Transported;
+use crate::expr::hash::NodeMap;
 use crate::expr::linear::{Trig, Vector};
 use crate::expr::{Expr, Node};
 use crate::plan::{Atom, Kind, Relation};
@@ -216,7 +217,7 @@ impl Writer<'_> {
         c: f64,
         size: f64,
     ) -> Option<Discriminant> {
-        let small = c.abs() + self.bound(y[2]) / size;
+        let small = c.abs() + self.bound(y[2], &mut NodeMap::default()) / size;
         if small.is_nan() || small > SMALL {
             return None;
         }
@@ -237,19 +238,26 @@ impl Writer<'_> {
     }
 
     /// What an expression of constants and of angles found does not exceed; infinite of others.
-    fn bound(&self, e: Expr) -> f64 {
+    /// What is known of shared parts is kept: behind many joints there are as many ways to one as
+    /// powers of two.
+    fn bound(&self, e: Expr, known: &mut NodeMap<Expr, f64>) -> f64 {
+        if let Some(bound) = known.get(&e) {
+            return *bound;
+        }
         let found = self.solved.trig.iter().chain(&self.solved.sum).flatten();
         let mut sides = found.flat_map(|trig| [trig.sin, trig.cos]);
-        if let Some(bound) = sides.find_map(|side| self.bound_as_side(e, side)) {
-            return bound;
-        }
-        match self.g.node(e) {
-            Node::Constant(bits) => f64::from_bits(bits).abs(),
-            Node::Add(a, b) | Node::Sub(a, b) => self.bound(a) + self.bound(b),
-            Node::Mul(a, b) => self.bound(a) * self.bound(b),
-            Node::Neg(a) => self.bound(a),
-            _ => f64::INFINITY,
-        }
+        let bound = match sides.find_map(|side| self.bound_as_side(e, side)) {
+            Some(bound) => bound,
+            None => match self.g.node(e) {
+                Node::Constant(bits) => f64::from_bits(bits).abs(),
+                Node::Add(a, b) | Node::Sub(a, b) => self.bound(a, known) + self.bound(b, known),
+                Node::Mul(a, b) => self.bound(a, known) * self.bound(b, known),
+                Node::Neg(a) => self.bound(a, known),
+                _ => f64::INFINITY,
+            },
+        };
+        known.insert(e, bound);
+        bound
     }
 
     /// What an expression does not exceed of which a sine or cosine is a multiple.

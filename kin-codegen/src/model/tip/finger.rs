@@ -6,7 +6,9 @@ use crate::vector::dot;
 
 /// A joint of such a name, or one that moves a link of such a name other than
 /// the first (which is often all that the wrist carries), belongs to a gripper.
-const GRIPPERS: [&str; 6] = ["gripper", "finger", "jaw", "knuckle", "claw", "thumb"];
+const GRIPPERS: [&str; 7] = [
+    "gripper", "finger", "fngr", "jaw", "knuckle", "claw", "thumb",
+];
 
 /// A joint of such a name turns what a jaw hangs on, whatever that is called.
 const WRISTS: [&str; 4] = ["wrist", "roll", "rotat", "twist"];
@@ -14,6 +16,10 @@ const WRISTS: [&str; 4] = ["wrist", "roll", "rotat", "twist"];
 /// A slide at the end of a chain that is shorter than this is a finger's, if
 /// nothing makes it the arm's, metres.
 const FINGER_STROKE: f64 = 0.12;
+
+/// A jaw opens from near zero to one side, by no more than this, radians.
+const SHUT: f64 = 0.15;
+const OPEN: f64 = 2.1;
 
 /// A SCARA has four joints, with a rail five.
 const SCARA_JOINTS: usize = 5;
@@ -36,6 +42,7 @@ impl Below<'_> {
             && joint.mimic.is_none()
             && (self.carries_tool(last) || WRISTS.iter().any(|word| name.contains(word)));
         let is_named = (name.contains(GRIPPERS[0]) && !carries)
+            || (link.contains(GRIPPERS[0]) && !carries && self.opens(last))
             || GRIPPERS[1..]
                 .iter()
                 .any(|word| name.contains(word) || link.contains(word));
@@ -56,6 +63,22 @@ impl Below<'_> {
         let is_named = |words: &[&str]| words.iter().any(|word| name.contains(word));
         let turns = joint.kind != JointType::Prismatic && joint.mimic.is_none();
         turns && (is_named(&WRISTS) || !is_named(&GRIPPERS))
+    }
+
+    /// Whether the limits of a turn are those of a jaw.
+    fn opens(&self, joint: usize) -> bool {
+        let joint = &self.spec.joints[joint];
+        match joint.limits {
+            Limits::Range { lower, upper, .. } if joint.kind == JointType::Revolute => {
+                let [shut, open] = if -lower < upper {
+                    [lower, upper]
+                } else {
+                    [upper, lower]
+                };
+                shut.abs() <= SHUT && (SHUT..=OPEN).contains(&open.abs())
+            }
+            _ => false,
+        }
     }
 
     /// How far a slide goes, metres, if it has limits.

@@ -108,6 +108,16 @@ fn refuse_misspelt_structure(
             "close it with a <loop_joint>, or give its open chain",
         );
     }
+    if vocabulary::KINEMATIC.contains(&name) {
+        let reason =
+            format!("<{name}> stands beside the joints: ROS passes over it, and so is done here");
+        diagnostics.warn(
+            at,
+            reason,
+            "move it into the <joint> that it is of, or remove it",
+        );
+        return None;
+    }
     let [link, joint] = vocabulary::STRUCTURE;
     let meant = suggest::nearest(name, [link, joint, "loop_joint"])?;
     let reason = format!("unknown element <{name}>: skipping it might lose a {meant}");

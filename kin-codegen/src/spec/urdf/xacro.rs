@@ -48,6 +48,16 @@ pub(super) fn refuse(document: &Document, diagnostics: &mut Collector) {
         diagnostics.at(at, reason, EXPAND);
         return;
     }
+    if let Some(call) = bare_call(document) {
+        let name = call.tag_name().name();
+        let reason = format!(
+            "<{name}> calls a macro of xacro, without the prefix that xacro knows it by, and this file \
+             has not been expanded"
+        );
+        let at = diagnostics.place(call.range().start);
+        diagnostics.at(at, reason, format!("{}; {EXPAND}", prefixed(name)));
+        return;
+    }
     if let Some((element, name)) = left_over {
         let at = diagnostics.place(element.range().start);
         let is_link = |node: Node| node.tag_name().name() == "link";
@@ -100,6 +110,25 @@ fn is_call_of_nothing(document: &Document, called: &str) -> bool {
         _ => false,
     };
     !KEYWORDS.contains(&called) && !document.descendants().any(defines)
+}
+
+/// A call, without the prefix, of a macro of links or joints that is defined here.
+fn bare_call<'a, 'i>(document: &'a Document<'i>) -> Option<Node<'a, 'i>> {
+    let is_structure = |node: Node| vocabulary::STRUCTURE.contains(&node.tag_name().name());
+    let macros = document
+        .descendants()
+        .filter(|it| name(it) == Some("macro") && it.children().any(is_structure));
+    let defined: Vec<&str> = macros.filter_map(|it| it.attribute("name")).collect();
+    let is_call = |&node: &Node| !is_structure(node) && defined.contains(&node.tag_name().name());
+    elements(document.root_element()).find(is_call)
+}
+
+/// How a macro is called.
+fn prefixed(name: &str) -> String {
+    format!(
+        "write <xacro:{name} .../>, with xmlns:xacro=\"http://www.ros.org/wiki/xacro\" in the root \
+         element"
+    )
 }
 
 /// A definition, or something about how a link looks or what it weighs.

@@ -226,6 +226,7 @@ fn chain(
     };
     frames::add(&mut draft, &base, &tip, rows, list, reader);
     let spec = tree::build(draft, source, &mut reader.diagnostics)?;
+    spec.refuse_apart(&mut reader.diagnostics);
     Some(ChainSpec {
         name: name.text,
         at,
