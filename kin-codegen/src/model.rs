@@ -16,7 +16,7 @@ use crate::vector::norm;
 use kin_runtime::{Chain, JointLimit, Pose, Twist};
 use std::f64::consts::{PI, TAU};
 
-pub(crate) use configurations::{anywhere, configurations, place, spread};
+pub(crate) use configurations::{RANDOM, anywhere, configurations, place, spread};
 
 /// A serial chain at its home configuration (all joint values 0), in the
 /// coordinates of the base link; metres and radians.

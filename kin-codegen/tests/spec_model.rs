@@ -612,7 +612,9 @@ fn a_wrist_may_carry_a_jaw() {
         (&[("wrist", "d"), ("wrist_to_gripper", "e")], "e"),
         (&[("wrist", "d"), ("gripper_yaw", "ee_link")], "ee_link"),
         (&[("wrist", "d"), ("gripper", "tool0")], "tool0"),
+        (&[("gripperTilt", "d"), ("gripperTurn", "e")], "e"),
         (&[("wrist", "d"), ("gripper", "e")], "d"),
+        (&[("wrist", "d"), ("thumb_yaw", "e")], "d"),
         (&[("wrist", "d"), ("finger_roll", "e")], "d"),
     ] {
         assert_eq!(tip(&[&arm, behind].concat()), expected, "{behind:?}");
@@ -623,6 +625,17 @@ fn a_wrist_may_carry_a_jaw() {
         ("finger_tip", "finger"),
     ];
     assert_eq!(tip(&finger), "finger");
+    // All of a finger, also of two joints, and of four that are called otherwise.
+    assert_eq!(tip(&finger[1..]), "finger");
+    let four = [
+        ("0", "pip"),
+        ("1", "mcp"),
+        ("2", "dip"),
+        ("3", "Finger_Tip_2"),
+    ];
+    assert_eq!(tip(&four), "Finger_Tip_2");
+    let jaw = [&arm[..], &[("wrist", "d"), ("5", "fingertip")]].concat();
+    assert_eq!(tip(&jaw), "d");
 }
 
 /// Two jaws that slide by themselves hang on a joint of the arm, whatever it is called; one that drives

@@ -27,6 +27,8 @@ pub struct Inverse {
     /// What is given beside a target: a joint, `q7`, `swivel`, or `turn`, that of the tool; empty
     /// where targets have isolated solutions.
     pub free: Vec<String>,
+    /// The same as the option `free` takes it: joints by the names that the file has for them.
+    pub given: Vec<String>,
     /// What the joints that stay free were chosen from, the best first; empty where they
     /// were asked for or nothing is given.
     pub weighed: Vec<Weighed>,
@@ -93,16 +95,23 @@ impl Inverse {
         let turn = redundancy.clone().filter(|it| it.turn);
         let swivel = redundancy.clone().filter(|it| it.swivel.is_some());
         let weighed = redundancy.clone().flat_map(|it| &it.weighed);
-        let joints = redundancy.flat_map(|it| unknowns(&it.joints));
+        let joints = redundancy.clone().flat_map(|it| unknowns(&it.joints));
+        let named = redundancy.flat_map(|it| &it.joints);
+        let named = named.map(|&joint| arm.model.variables[joint].name.clone());
+        let beside = |joints: &mut dyn Iterator<Item = String>| -> Vec<String> {
+            let swivel = swivel.clone().map(|_| redundancy::SWIVEL.into());
+            joints
+                .chain(swivel)
+                .chain(turn.clone().map(|_| "turn".into()))
+                .collect()
+        };
         let plan = &form.plan;
         let steps = plan.steps.iter();
         Self {
             target: arm.target().word(),
             targets: arm.targets(),
-            free: joints
-                .chain(swivel.map(|_| redundancy::SWIVEL.into()))
-                .chain(turn.map(|_| "turn".into()))
-                .collect(),
+            free: beside(&mut joints.into_iter()),
+            given: beside(&mut named.into_iter()),
             weighed: weighed.map(|it| Weighed::of(arm, it)).collect(),
             idealization: Idealization::of(form),
             coupling: form.linkage.coupling.as_ref().map(Coupling::sentence),

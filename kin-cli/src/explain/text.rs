@@ -159,7 +159,9 @@ impl Display for Inverse {
         let es = if self.branches == 1 { "" } else { "es" };
         writeln!(f, "  {} branch{es}.", self.branches)?;
         if let Some(cost) = &self.cost {
-            writeln!(f, "  {}", degeneracy(&self.steps))?;
+            if let Some(degeneracy) = degeneracy(&self.steps, self.certificate.lost) {
+                writeln!(f, "  {degeneracy}")?;
+            }
             match &self.others[..] {
                 [] => writeln!(f, "  The search found no other plan.")?,
                 others => writeln!(f, "  Other plans found: {}.", others.join("; "))?,
@@ -200,11 +202,13 @@ impl Display for Inverse {
 impl Inverse {
     /// What is given beside a target, and why that.
     fn write_free(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let name = |free: &String| match free.as_str() {
+        let name = |(free, given): (&String, &String)| match free.as_str() {
             "turn" => "the turn of the tool about the tip's z axis".to_owned(),
+            // Names may be of that form themselves.
+            joint if joint != given => format!("{joint} (`{given}`)"),
             joint => joint.to_owned(),
         };
-        let free: Vec<String> = self.free.iter().map(name).collect();
+        let free: Vec<String> = self.free.iter().zip(&self.given).map(name).collect();
         write!(f, "  Given beside a target: {}", free.join(", "))?;
         let text = |weighed: &Weighed| {
             let weight = weighed.weight?;
@@ -255,20 +259,21 @@ impl Display for KeptJoint {
     }
 }
 
-fn degeneracy(steps: &[Step]) -> String {
+fn degeneracy(steps: &[Step], lost: usize) -> Option<String> {
     let can = |step: &&Step| step.can_degenerate;
     let unknowns: Vec<String> = steps
         .iter()
         .filter(can)
         .map(|step| step.unknowns.join(", "))
         .collect();
-    if unknowns.is_empty() {
-        "No step degenerates where the arm is regular.".into()
-    } else {
-        format!(
+    match unknowns.is_empty() {
+        // Joints that are coupled may degenerate together.
+        true if lost > 0 => None,
+        true => Some("No step degenerates where the arm is regular.".into()),
+        false => Some(format!(
             "May degenerate where the arm is regular: {}.",
             unknowns.join("; ")
-        )
+        )),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Configurations in which a step of a plan degenerates, since what it divides by vanishes.
 
 use super::alignment;
-use super::held::{Held, Trial};
+use super::held::{Held, Made, Trial};
 use super::trials::Trials;
 use super::vanishing::{Driven, OnBranch, Quantity};
 use crate::closed_form::ClosedForm;
@@ -29,7 +29,7 @@ impl Trials<'_> {
         let quantities = quantities.unwrap_or_default();
         let mut all = Vec::new();
         for (number, held) in self.held.iter().enumerate() {
-            let trial = |q| held.trial(self.linkage, self.target, q, true, true);
+            let trial = |q| held.trial(self.linkage, self.target, q, Made::Aligned);
             let (mut exact, mut singular) = (Vec::new(), Vec::new());
             for Driven { q, is_moved } in self.driven(form, held, &quantities, &mut random) {
                 if trial(q.clone()).conditioning < SINGULAR {

@@ -4,7 +4,7 @@ use super::parameters::SOMEWHERE;
 use super::{Failure, REGULAR, alignment, recovered};
 use crate::closed_form::BranchSolution;
 use crate::geometry::{self, Linkage};
-use crate::model::{Model, anywhere, configurations};
+use crate::model::{Model, RANDOM, anywhere, configurations};
 use crate::plan::Target;
 use crate::random::Random;
 use crate::scalar::Scalar;
@@ -39,12 +39,29 @@ pub(super) struct Trial {
     /// Whether a step may degenerate: axes that are no neighbours are aligned, or what the plan divides
     /// by is nothing, or nearly.
     pub may_degenerate: bool,
-    /// Whether it is next to a round configuration, or a step may degenerate: on an idealized
-    /// arm near singular it is not tried.
-    pub is_attack: bool,
+    pub made: Made,
+}
+
+/// Where a configuration is.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Made {
+    /// Anywhere, by chance.
+    Random,
+    /// Joints are at multiples of a right angle.
+    Round,
+    /// Next to such a one, or to a random one.
+    Beside,
+    /// Where a step of a plan may degenerate.
+    Aligned,
 }
 
 impl Trial {
+    /// Whether it is next to a round configuration, or a step may degenerate: on an idealized
+    /// arm near singular it is not tried.
+    pub fn is_attack(&self) -> bool {
+        matches!(self.made, Made::Beside | Made::Aligned)
+    }
+
     /// The same with a target that has been rounded again, as those that come by a quaternion: what
     /// is left of a sine in the sum that makes an entry is then no more than chance.
     pub fn rounded(&self, random: &mut Random) -> Rc<Self> {
@@ -83,13 +100,19 @@ impl Held {
             model,
             all: Vec::new(),
         };
-        let trial = |q, may_degenerate, is_attack| {
-            held.trial(linkage, target, q, may_degenerate, is_attack)
+        let trial = |q, made| held.trial(linkage, target, q, made);
+        let first = |i| {
+            if i < RANDOM {
+                Made::Random
+            } else {
+                Made::Round
+            }
         };
-        held.all = (round.into_iter().map(|q| trial(q, false, false)))
-            .chain(beside.into_iter().map(|q| trial(q, false, true)))
-            .chain(aligned.into_iter().map(|q| trial(q, true, true)))
-            .chain(nearly.into_iter().map(|q| trial(q, true, true)))
+        let round = round.into_iter().enumerate();
+        held.all = (round.map(|(i, q)| trial(q, first(i))))
+            .chain(beside.into_iter().map(|q| trial(q, Made::Beside)))
+            .chain(aligned.into_iter().map(|q| trial(q, Made::Aligned)))
+            .chain(nearly.into_iter().map(|q| trial(q, Made::Aligned)))
             .collect();
         let mut random = Random(0x6c62_272e_07bb_0142);
         let exact = held.all.clone();
@@ -98,16 +121,9 @@ impl Held {
         held
     }
 
-    pub fn trial(
-        &self,
-        linkage: &Linkage,
-        target: Target,
-        q: Vec<f64>,
-        may_degenerate: bool,
-        is_attack: bool,
-    ) -> Rc<Trial> {
+    pub fn trial(&self, linkage: &Linkage, target: Target, q: Vec<f64>, made: Made) -> Rc<Trial> {
         // The joints that are coupled may be singular as such where the coordinates are not.
-        let may_degenerate = may_degenerate
+        let may_degenerate = made == Made::Aligned
             || linkage.coupling.is_some() && {
                 let joints = linkage.joints_at(&q);
                 geometry::conditioning(&self.chain, &joints, linkage.size, target) < REGULAR
@@ -118,7 +134,7 @@ impl Held {
             parameters: self.parameters(linkage, &q),
             q,
             may_degenerate,
-            is_attack,
+            made,
         })
     }
 

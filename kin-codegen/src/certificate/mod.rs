@@ -25,7 +25,7 @@ pub use trials::Trials;
 use crate::closed_form::{BranchSolution, ClosedForm};
 use crate::geometry::SINGULAR;
 use crate::threads;
-use held::{Held, Trial};
+use held::{Held, Made, Trial};
 use kin_runtime::Pose;
 use recovery::is_among;
 use std::fmt;
@@ -36,8 +36,7 @@ use std::rc::Rc;
 const EXCUSED: usize = 40;
 /// With a larger share of configurations that are excused there is no certificate.
 const MOST_EXCUSED: f64 = 0.05;
-/// With a larger share of configurations at which no axes are aligned and that do not come back
-/// there is none either.
+/// With a larger share of random configurations that do not come back there is none either.
 const MOST_LOST: f64 = 0.05;
 /// With a larger share of singular ones too little is seen.
 const MOST_SINGULAR: f64 = 0.5;
@@ -70,9 +69,9 @@ pub struct Certificate {
     /// neighbours or nothing to divide by, or came back flagged as singular: a
     /// step of the plan degenerates there, and the arm does not.
     pub lost: usize,
-    /// Of these, those that did not come back with no axes aligned: joints that are coupled have
-    /// nothing to divide by there.
-    pub lost_unaligned: usize,
+    /// Of these, those that are anywhere, by chance, and did not come back: joints that are coupled
+    /// leave a plan nothing to divide by there.
+    pub lost_anywhere: usize,
     /// Solutions found in all.
     pub solutions: usize,
     /// The largest distance of a solution from its target, metres.
@@ -192,7 +191,7 @@ impl Certificate {
                 self.configurations += 1;
                 let is_excused = trial.conditioning < form.near_singular();
                 self.excused += usize::from(is_excused);
-                let is_dear = trial.is_attack || self.excused > EXCUSED;
+                let is_dear = trial.is_attack() || self.excused > EXCUSED;
                 if !(is_excused && is_dear) {
                     tried.push((*held, trial, is_excused));
                 }
@@ -311,8 +310,8 @@ impl Certificate {
             Err(Failure::Lost(_)) if is_excused => self.unanswered += 1,
             Err(Failure::Lost(q)) if trial.may_degenerate && self.lost < losses => {
                 self.lost += 1;
-                self.lost_unaligned += usize::from(!trial.is_attack);
-                if self.lost_unaligned as f64 > MOST_LOST * run.trials.unaligned() as f64 {
+                self.lost_anywhere += usize::from(trial.made == Made::Random);
+                if self.lost_anywhere as f64 > MOST_LOST * run.trials.random() as f64 {
                     return Err(Failure::Lost(q));
                 }
             }

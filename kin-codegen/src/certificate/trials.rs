@@ -1,6 +1,6 @@
 //! The configurations that a plan is tried on, and which of them some plan has lost.
 
-use super::held::{Held, Trial};
+use super::held::{Held, Made, Trial};
 use super::{REGULAR, parameters};
 use crate::closed_form::ClosedForm;
 use crate::geometry::Linkage;
@@ -88,10 +88,11 @@ impl<'a> Trials<'a> {
         })
     }
 
-    /// How many configurations have no axes aligned on purpose and are not singular.
-    pub(super) fn unaligned(&self) -> usize {
+    /// How many random configurations are not singular.
+    pub(super) fn random(&self) -> usize {
         let all = self.held.iter().flat_map(|held| &held.all);
-        let counts = |trial: &&Rc<Trial>| !trial.is_attack && trial.conditioning >= super::SINGULAR;
+        let counts =
+            |it: &&Rc<Trial>| it.made == Made::Random && it.conditioning >= super::SINGULAR;
         all.filter(counts).count()
     }
 

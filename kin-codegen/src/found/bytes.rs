@@ -86,7 +86,7 @@ fields! {
     Invariant { kind, joints, point, direction }
     Dependence { atom, weakest, steady, inner, weak_at, derivatives }
     Certificate {
-        configurations, singular, excused, excused_share, unanswered, lost, lost_unaligned,
+        configurations, singular, excused, excused_share, unanswered, lost, lost_anywhere,
         solutions, worst_residual, most_solutions
     }
     Redundancy { joints, swivel, turn, target, weighed }

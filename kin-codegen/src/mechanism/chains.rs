@@ -147,9 +147,9 @@ impl<'s> Graph<'s> {
         let meeting: Vec<usize> = (0..pruned.len())
             .filter(|l| *l != base && pruned[*l].len() > 2)
             .collect();
-        let joints = &self.spec.joints;
-        let children: HashSet<usize> = joints.iter().map(|joint| joint.child).collect();
-        let tree = &joints[..self.looped.tree_joints];
+        // Between the joints of a loop joint of several there are links that the file does not know.
+        let tree = &self.spec.joints[..self.looped.tree_joints];
+        let children: HashSet<usize> = tree.iter().map(|joint| joint.child).collect();
         let parents: HashSet<usize> = tree.iter().map(|joint| joint.parent).collect();
         let leaf = |l: &usize| {
             *l != base && pruned[*l].len() == 2 && children.contains(l) && !parents.contains(l)

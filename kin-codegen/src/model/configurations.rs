@@ -5,8 +5,8 @@ use crate::random::Random;
 use kin_runtime::__private::math::wrap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Random configurations.
-const RANDOM: usize = 48;
+/// Random configurations, the first of all.
+pub const RANDOM: usize = 48;
 /// Configurations with every joint at a multiple of π/2.
 const ALIGNED: usize = 40;
 /// How far a slide goes that nothing stops, metres.

@@ -277,7 +277,8 @@ impl Below<'_> {
             arm -= 1;
         }
         // A robot that is a finger.
-        if arm == 1 && end.len() > 2 {
+        let is_finger = arm == 1 && (end.len() > 2 || self.is_finger(&end[..1]));
+        if is_finger || end.len() <= FINGER_JOINTS && self.ends_in_fingertip(end) {
             return end.len();
         }
         // The only finger that nothing else tells from a joint of the arm.

@@ -251,6 +251,8 @@ impl<'a> Search<'a> {
                         return true;
                     }
                 }
+                // Moved otherwise, free joints may lose less.
+                Err(Failure::Lost(_)) if self.best.is_some() && self.beside.is_none() => {}
                 Err(failure) => {
                     let plan = plan.to_string();
                     self.refusal = NoClosedForm::Uncertified { plan, failure };
@@ -278,8 +280,12 @@ impl<'a> Search<'a> {
 
     /// Runs a closed form. What one elimination loses another may find.
     fn certified(&mut self, mut form: ClosedForm) -> Result<Certified, Failure> {
-        let best = self.best.as_ref();
-        let losses = best.map_or(usize::MAX, |best| best.certificate.lost);
+        let losses = match self.missing() {
+            None => usize::MAX,
+            // What loses as much is no better.
+            Some((lost, 0)) if self.beside.is_none() => lost.saturating_sub(1),
+            Some((lost, _)) => lost,
+        };
         self.ask(&mut form);
         let mut outcome = certify(self.trials, &form, losses);
         while outcome.is_err() && self.beside.is_some() && self.chosen < CHOICES {

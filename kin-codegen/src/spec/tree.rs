@@ -333,7 +333,8 @@ fn check_root(spec: &mut ArmSpec, above: &[Option<usize>], diagnostics: &mut Col
         diagnostics.at(
             spec.joints[joint].at,
             reason,
-            "swap parent and child of the joint that points back",
+            "swap parent and child of the joint that points back; of a mechanism with loops, let a \
+             <loop_joint> join the two",
         );
     }
     // Links that are missing say why.

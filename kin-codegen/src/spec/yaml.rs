@@ -247,6 +247,11 @@ impl End {
         let Some(node) = file.get(key) else {
             return Some(End::default());
         };
+        if let Value::List(_) = node.value {
+            let reason = format!("`{key}` is a list, where a link's name or a pose belongs");
+            reader.at(node.at, reason, format!("write {key}: {{xyz: [x, y, z]}}"));
+            return None;
+        }
         if !matches!(node.value, Value::Map(_)) {
             return Some(End {
                 name: Some(reader.name(node)?),

@@ -13,6 +13,9 @@ const GRIPPERS: [&str; 7] = [
 /// A joint of such a name turns what a jaw hangs on, whatever that is called.
 const WRISTS: [&str; 4] = ["wrist", "roll", "rotat", "twist"];
 
+/// So does one that is called a gripper's with such a word: fingers have others.
+const TURNS: [&str; 4] = ["tilt", "turn", "pitch", "yaw"];
+
 /// A slide at the end of a chain that is shorter than this is a finger's, if
 /// nothing makes it the arm's, metres.
 const FINGER_STROKE: f64 = 0.12;
@@ -40,7 +43,8 @@ impl Below<'_> {
         // What a gripper hangs on is often named so, and no finger carries the tool.
         let carries = joint.kind != JointType::Prismatic
             && joint.mimic.is_none()
-            && (self.carries_tool(last) || WRISTS.iter().any(|word| name.contains(word)));
+            && (self.carries_tool(last)
+                || WRISTS.iter().chain(&TURNS).any(|word| name.contains(word)));
         let is_named = (name.contains(GRIPPERS[0]) && !carries)
             || (link.contains(GRIPPERS[0]) && !carries && self.opens(last))
             || GRIPPERS[1..]
@@ -79,6 +83,16 @@ impl Below<'_> {
             }
             _ => false,
         }
+    }
+
+    /// Whether the last joint of a chain moves the tip of a finger: no jaw is called so.
+    pub(super) fn ends_in_fingertip(&self, chain: &[usize]) -> bool {
+        chain.last().is_some_and(|&last| {
+            let link = &self.spec.links[self.spec.joints[last].child].name;
+            let letters = link.chars().filter(|c| c.is_alphabetic());
+            let letters: String = letters.flat_map(char::to_lowercase).collect();
+            letters.contains("fingertip")
+        })
     }
 
     /// How far a slide goes, metres, if it has limits.

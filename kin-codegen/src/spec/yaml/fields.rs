@@ -125,6 +125,9 @@ impl<'s> Reader<'s> {
         } else if message.contains("parsing a flow") {
             remedy = "close what `{` and `[` open, here or in a line before, and put commas between \
                       entries";
+        } else if message.contains("mapping values") {
+            remedy = "indent the line as its neighbours, write the colon that it or a line before \
+                      lacks, or put what contains a colon and a blank in quotes";
         } else if before > 0 && line.chars().take(before).all(|c| c == ' ') {
             remedy = "indent the line as its neighbours: entries of one list or mapping begin in \
                       one column";
@@ -223,15 +226,19 @@ impl<'s> Reader<'s> {
     }
 
     pub(super) fn list<'n>(&mut self, node: &'n Node) -> Option<&'n [Node]> {
-        let Value::List(nodes) = &node.value else {
-            self.at(
-                node.at,
-                format!("this should be a list, and is {}", kind(&node.value)),
-                "write [..., ...], or one line with `- ` per entry",
-            );
-            return None;
+        if let Value::List(nodes) = &node.value {
+            return Some(nodes);
+        }
+        let remedy = match &node.value {
+            Value::Text(text) if text.split_whitespace().all(|it| it.parse::<f64>().is_ok()) => {
+                let entries: Vec<&str> = text.split_whitespace().collect();
+                format!("write [{}]", entries.join(", "))
+            }
+            _ => "write [..., ...], or one line with `- ` per entry".into(),
         };
-        Some(nodes)
+        let reason = format!("this should be a list, and is {}", kind(&node.value));
+        self.at(node.at, reason, remedy);
+        None
     }
 
     /// A name: any text but the empty one, and not too long.
@@ -320,7 +327,12 @@ impl<'s> Reader<'s> {
         if nodes.len() != N {
             let entries = if nodes.len() == 1 { "entry" } else { "entries" };
             let reason = format!("this list has {} {entries} where {N} belong", nodes.len());
-            self.at(node.at, reason, format!("write {N} entries"));
+            let is_run = |it: &Node| matches!(&it.value, Value::Text(text) if text.contains(' '));
+            let between = match nodes.iter().any(is_run) {
+                true => ", with commas between them",
+                false => "",
+            };
+            self.at(node.at, reason, format!("write {N} entries{between}"));
             return None;
         }
         let read: Vec<Option<T>> = nodes.iter().map(|node| one(self, node)).collect();
