@@ -83,7 +83,7 @@ fn what_carries_an_arm_is_given() {
     let told = explain(&source("robots/redundant/rail.yaml"), &Options::default()).unwrap();
     let told = told.to_string();
     for sentence in [
-        "Given beside a target: q1 (`slide`). That has what carries the arm among it; operations",
+        "Given beside a target: q1 (`rail`). That has what carries the arm among it; operations",
         "every configuration was recovered",
     ] {
         assert!(told.contains(sentence), "{told}");
