@@ -353,6 +353,6 @@ fn long_chains_are_read() {
                 .map(|(a, b)| (a - b).sin().hypot((a - b).cos() - 1.0));
             each.fold(0.0, f64::max)
         };
-        assert!(solutions.iter().any(|it| apart(&it.q) < 1e-6));
+        assert!(solutions.iter().any(|it| apart(it.q) < 1e-6));
     }
 }
