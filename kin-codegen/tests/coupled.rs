@@ -19,13 +19,16 @@ const FINGER: &str = include_str!("../../tests/robots/coupled/finger.yaml");
 const RACK: &str = include_str!("../../tests/robots/coupled/rack.yaml");
 const REMOTE_CENTRE: &str = include_str!("../../tests/robots/coupled/remote_centre.yaml");
 
-const ARMS: [&str; 6] = [
+const BALL_SCREW: &str = include_str!("../../tests/robots/coupled/ball_screw.yaml");
+
+const ARMS: [&str; 7] = [
     PARALLELOGRAM,
     PALLETIZER,
     TELESCOPE,
     FINGER,
     RACK,
     REMOTE_CENTRE,
+    BALL_SCREW,
 ];
 
 fn source(text: &str) -> Source {

@@ -2,6 +2,8 @@
 //!
 //! Neighbours that turn about one line, or slide along one direction, become one joint, whose value
 //! is a linear function of the coordinates of q: behind a parallelogram, that of an elbow is q₃ − q₂.
+//! So do two slides along one direction with nothing between them but turns about axes along it, which
+//! let it pass: the quill of a SCARA that its turn lifts by a thread.
 //! So do three that turn about parallel axes by θ, −θ and θ, as two sides of a parallelogram do and
 //! what it carries: that turns by θ about a fourth axis, a remote centre of motion.
 //! Such a chain is solved as any other, and the coordinates follow from the values of its joints, one
@@ -264,24 +266,34 @@ struct Merged {
 }
 
 impl Merged {
-    /// Makes one of the last two joints if these turn about one line or slide along one direction.
+    /// Makes one of the last joint and one before it if these turn about one line, as neighbours, or
+    /// slide along one direction, and all joints between them turn about axes along it.
     fn merges_two(&mut self) -> bool {
-        let [.., a, b] = &self.joints[..] else {
+        let Some((last, before)) = self.joints.split_last() else {
             return false;
         };
-        let is_one = a.kind == b.kind
-            && match a.kind {
-                JointKind::Revolute => {
-                    relate(&Line::of(a), &Line::of(b), SAME, self.same) == PairRelation::Coincident
+        let slides = last.kind == JointKind::Prismatic;
+        let lets_pass = |joint: &&Joint| joint.is_revolute() && are_parallel(joint, last);
+        let passed = match slides {
+            true => before.iter().rev().take_while(lets_pass).count(),
+            false => 0,
+        };
+        let Some(place) = before.len().checked_sub(passed + 1) else {
+            return false;
+        };
+        let own = &before[place];
+        let is_one = own.kind == last.kind
+            && match slides {
+                true => are_parallel(own, last),
+                false => {
+                    let [one, other] = [own, last].map(Line::of);
+                    relate(&one, &other, SAME, self.same) == PairRelation::Coincident
                 }
-                JointKind::Prismatic => are_parallel(a, b),
             };
         if is_one {
-            let sign = dot(a.axis, b.axis).signum();
-            if let Some(row) = self.drop_last()
-                && let Some(sum) = self.rows.last_mut()
-            {
-                sum.add(&row, sign);
+            let sign = dot(own.axis, last.axis).signum();
+            if let Some(row) = self.drop_last(place) {
+                self.rows[place].add(&row, sign);
             }
         }
         is_one
@@ -302,8 +314,9 @@ impl Merged {
         if is_one {
             let [p, minus, plus] = [a, b, c].map(|joint| joint.point);
             let centre = [0, 1, 2].map(|i| p[i] - minus[i] + plus[i]);
-            self.drop_last();
-            self.drop_last();
+            let place = self.joints.len() - 3;
+            self.drop_last(place + 1);
+            self.drop_last(place);
             if let Some(last) = self.joints.last_mut() {
                 last.point = centre;
             }
@@ -311,14 +324,14 @@ impl Merged {
         is_one
     }
 
-    /// Takes the last joint away; the one before it has its link, and its name if that is of a
-    /// coordinate.
-    fn drop_last(&mut self) -> Option<Combination> {
+    /// Takes the last joint away, which the one at a place does the same as; that has its name if it is
+    /// of a coordinate, and the one before it its link.
+    fn drop_last(&mut self, same: usize) -> Option<Combination> {
         let (dropped, row) = self.joints.pop().zip(self.rows.pop())?;
-        let last = self.joints.last_mut()?;
         if dropped.is_coordinate(dropped.variable) {
-            last.name = dropped.name;
+            self.joints[same].name.clone_from(&dropped.name);
         }
+        let last = self.joints.last_mut()?;
         (last.link, last.frame) = (dropped.link, dropped.frame);
         Some(row)
     }
