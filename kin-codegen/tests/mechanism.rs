@@ -481,6 +481,37 @@ fn a_motion_that_rounding_takes_is_told_where_it_cannot_be_mended() {
     );
 }
 
+/// Four bars that four digits leave apart: by less than rounding of twelve digits nothing is told, by
+/// more than a file means they are refused.
+#[test]
+fn chains_that_end_apart_are_told() {
+    let linkage = |apart: f64| {
+        let end = 2.0 + apart;
+        let text = format!(
+            "robot: linkage\nunits: {{angle: deg, length: m}}\nmechanism:\n  chains:\n    - name: \
+             left\n      joints:\n        - {{name: a, axis: [0, 0, 1], actuated: true}}\n        - \
+             {{name: b, xyz: [0, 1, 0], axis: [0, 0, 1]}}\n      tip: {{xyz: [1, 0, 0]}}\n    - name: \
+             right\n      base: {{xyz: [3, 0, 0]}}\n      joints:\n        - {{name: c, axis: [0, 0, \
+             1]}}\n        - {{name: d, xyz: [0, 1, 0], axis: [0, 0, 1]}}\n      tip: {{xyz: [-{end}, \
+             0, 0]}}\n"
+        );
+        let path = "linkage.yaml".into();
+        Source { path, text }
+    };
+    let told = |apart: f64| -> Vec<(String, String)> {
+        let found = compiled(&linkage(apart)).warnings.into_iter();
+        found.map(|it| (it.reason, it.remedy)).collect()
+    };
+    assert_eq!(told(1e-8), []);
+    let reason = "with all joint values 0 the chain `right` ends 0.000030 m and 0.0000° away from where \
+                  `left` does: it holds the platform where it ends";
+    let remedy = "give axes and points with all digits, twelve behind the point";
+    assert_eq!(told(3e-5), [(reason.to_owned(), remedy.to_owned())]);
+    let refused = compile(&linkage(3e-3), &Options::default()).unwrap_err();
+    let reason = "they hold no platform together";
+    assert!(refused.to_string().contains(reason), "{refused}");
+}
+
 /// Of a parallelogram it does, where the cranks are on different sides.
 #[test]
 fn every_assembly_of_a_parallelogram_is_a_target() {
