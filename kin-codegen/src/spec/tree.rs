@@ -135,6 +135,7 @@ pub(super) fn build(draft: Draft, source: &Source, diagnostics: &mut Collector) 
 #[derive(Default)]
 struct Missing<'d> {
     links: Vec<&'d Name>,
+    by_name: HashMap<&'d str, usize>,
     faults: Vec<Diagnostic>,
 }
 
@@ -158,11 +159,10 @@ impl<'d> Missing<'d> {
         let remedy = diagnostics.link_for(&name.text, &others.collect::<Vec<_>>());
         diagnostics.at(name.at, reason, remedy);
         self.faults.extend(diagnostics.take_since(before));
-        let known = self.links.iter().position(|it| it.text == name.text);
-        let place = known.unwrap_or_else(|| {
+        let place = *self.by_name.entry(&name.text).or_insert(self.links.len());
+        if place == self.links.len() {
             self.links.push(name);
-            self.links.len() - 1
-        });
+        }
         links.names.len() + place
     }
 }

@@ -3,6 +3,7 @@
 use super::{elements, vocabulary};
 use crate::spec::Collector;
 use roxmltree::{Document, Node};
+use std::collections::HashSet;
 
 /// The way out.
 pub(super) const EXPAND: &str =
@@ -118,7 +119,7 @@ fn bare_call<'a, 'i>(document: &'a Document<'i>) -> Option<Node<'a, 'i>> {
     let macros = document
         .descendants()
         .filter(|it| name(it) == Some("macro") && it.children().any(is_structure));
-    let defined: Vec<&str> = macros.filter_map(|it| it.attribute("name")).collect();
+    let defined: HashSet<&str> = macros.filter_map(|it| it.attribute("name")).collect();
     let is_call = |&node: &Node| !is_structure(node) && defined.contains(&node.tag_name().name());
     elements(document.root_element()).find(is_call)
 }
