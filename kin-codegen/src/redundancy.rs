@@ -312,6 +312,41 @@ dh:
         }
     }
 
+    /// Where two axes are aligned, the cheap plans of these arms lose solutions, whatever their
+    /// telescopes are given: only plans made for the configurations that were lost stand.
+    #[test]
+    fn a_telescope_is_given_where_cheap_plans_degenerate() {
+        let turn = |axis: &str, point: &str| format!("axis: [{axis}], point: [{point}]");
+        let slide = |axis: &str| format!("axis: [{axis}], type: prismatic");
+        let [x, y, z] = ["1, 0, 0", "0, 1, 0", "0, 0, 1"];
+        let upright = [
+            turn(y, "0, 0, 0"),
+            turn(z, "0, 0, 0"),
+            slide(z),
+            slide(z),
+            turn(z, "0, 0.75, 0"),
+            turn(y, "0, 0.75, 0.1"),
+        ];
+        let level = [
+            turn(y, "0.1, 0, 0"),
+            turn(x, "0.1, 0, 0.1"),
+            turn(y, "0.1, 0, 0.4"),
+            slide(y),
+            slide(y),
+            turn(y, "0.55, 0.3, 0.4"),
+        ];
+        for (joints, telescope) in [(upright, 2..4), (level, 3..5)] {
+            let joints = joints.iter().enumerate();
+            let joints = joints.map(|(i, joint)| format!("  - {{name: q{i}, {joint}}}\n"));
+            let joints: String = joints.collect();
+            let found = solved(format!(
+                "robot: arm\nunits: {{angle: rad, length: m}}\nscrews:\n{joints}\
+                 home: {{xyz: [0.5, 0.8, 0.3]}}\n"
+            ));
+            assert!(matches!(found.joints[..], [joint] if telescope.contains(&joint)));
+        }
+    }
+
     /// A spherical wrist behind a shoulder that is none, as a Fetch has. At a pose its elbow hardly
     /// moves: few of its values have solutions.
     #[test]

@@ -58,11 +58,11 @@ impl<'a> Trials<'a> {
         self.linkage
     }
 
-    /// The configurations that some plan has lost, of an arm that takes nothing beside a target.
+    /// The configurations that some plan has lost: how far each joint has moved along its axis.
     pub fn lost(&self) -> Vec<Vec<f64>> {
         let lost = self.lost.borrow();
-        let known = lost.iter().filter(|_| self.linkage.parameters() == 0);
-        known.map(|(_, trial)| trial.q.clone()).collect()
+        let by_joint = |trial: &Trial| self.linkage.by_joint(&trial.q, &trial.parameters);
+        lost.iter().map(|(_, trial)| by_joint(trial)).collect()
     }
 
     /// Which of the configurations that some plan has lost a closed form loses.

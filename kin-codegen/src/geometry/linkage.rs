@@ -371,8 +371,12 @@ impl Linkage {
     }
 
     /// How far each joint has moved along its axis, radians or metres; a free turn has not.
-    pub fn by_joint(&self, q: &[f64]) -> Vec<f64> {
-        let joints = self.joints_at(q);
+    /// `parameters` are the values of locked joints, or the swivel angle, which moves none.
+    pub fn by_joint(&self, q: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let mut joints = self.joints_at(q).into_owned();
+        for (&joint, &value) in self.locked.iter().zip(parameters) {
+            joints.insert(joint, value);
+        }
         let moved = |link: &Link| joints.get(link.variable).copied().unwrap_or(0.0);
         self.links.iter().map(moved).collect()
     }

@@ -326,8 +326,7 @@ impl Later<'_> {
     fn next(&mut self, lost: &[Vec<f64>], stands: bool) -> Option<Plan> {
         if lost.len() > self.lost {
             self.lost = lost.len();
-            let moved: Vec<Vec<f64>> = lost.iter().map(|q| self.linkage.by_joint(q)).collect();
-            self.solving = Some(Plans::solving(self.linkage, self.target, &moved));
+            self.solving = Some(Plans::solving(self.linkage, self.target, lost));
         }
         let solving = self.solving.as_mut().and_then(Iterator::next);
         match solving {

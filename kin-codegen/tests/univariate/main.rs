@@ -490,6 +490,31 @@ home: {xyz: [-0.9333643903872504, -0.18555747971829872, -0.32234549096785636], r
     }
 }
 
+/// Next to where two slides are parallel there are solutions that take them against each other as
+/// far as one likes; where rounding is more than what a solution may miss, they are none.
+#[test]
+fn slides_do_not_go_farther_than_numbers_tell() {
+    let source = Source {
+        path: "against.yaml".into(),
+        text: "\
+robot: against
+units: {angle: rad, length: m}
+screws:
+  - {name: j0, type: prismatic, axis: [1, 0, 0], limits: [-1, 1]}
+  - {name: j1, axis: [0, 1, 0], point: [0, 0.45, 0]}
+  - {name: j2, axis: [1, 0, 0], point: [0, 0.55, 0]}
+  - {name: j3, type: prismatic, axis: [1, 0, 0], limits: [-1, 1]}
+  - {name: j4, axis: [0, 1, 0], point: [0, 0.65, 0]}
+  - {name: j5, axis: [0, 0, 1], point: [0.1, 0.65, 0]}
+home: {xyz: [0.17, 0.7000000000000001, 0.11]}
+"
+        .into(),
+    };
+    // Of its certificate's targets one has such solutions, as long as home has this last digit.
+    let compiled = compile(&source, &Options::default()).unwrap();
+    assert!(compiled.arm().unwrap().form().is_some());
+}
+
 /// As the IRB 140 of some files, whose wrist misses its point by two centimetres.
 #[test]
 fn an_offset_that_was_designed_is_no_noise() {

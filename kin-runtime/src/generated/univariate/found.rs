@@ -19,6 +19,9 @@ const BESIDE: f64 = 1e-4;
 /// What comes no nearer than this to a target, in units of the arm's size, is not next to a solution.
 const NEXT_TO: f64 = 1e-6;
 
+/// Of a slide that is farther, in the same units, rounding alone may miss the target.
+const FARTHEST: f64 = 1e6;
+
 /// What a search has come to, in the units of the arm's frames.
 pub(super) struct Answer {
     pub solutions: Solutions<6>,
@@ -62,7 +65,8 @@ impl Found {
     /// Adds the configuration in a lane, if it is a solution; whether it is one.
     pub fn insert(&mut self, arrived: &Polished, lane: usize, branch: u32) -> bool {
         let residual = arrived.residual[lane];
-        if residual > NEXT_TO || residual.is_nan() {
+        let is_far = arrived.q.iter().any(|q| q[lane].abs() > FARTHEST);
+        if residual > NEXT_TO || residual.is_nan() || is_far {
             return false;
         }
         let independence = arrived.independence[lane];

@@ -75,6 +75,8 @@ static int kin_place_of(kin_found *found, const kin_six *solution)
 #define KIN_FAMILY 1e-4
 /* What comes no nearer than this to a target, in units of the arm's size, is not next to a solution. */
 #define KIN_NEXT_TO 1e-6
+/* Of a slide that is farther, in the same units, rounding alone may miss the target. */
+#define KIN_FARTHEST 1e6
 
 /* Adds one of the configurations that have arrived, if it is a solution; whether it is one. */
 static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int lane, int branch)
@@ -85,6 +87,9 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
         return 0;
     }
     for (int i = 0; i < 6; ++i) {
+        if (fabs(arrived->q[i][lane]) > KIN_FARTHEST) {
+            return 0;
+        }
         solution.q[i] = kin_slides[i] ? arrived->q[i][lane] : kin_wrap(arrived->q[i][lane]);
     }
     solution.residual = KIN_ARM_SIZE * sqrt(residual * residual + gap * gap);

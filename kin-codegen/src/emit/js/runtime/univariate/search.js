@@ -12,6 +12,8 @@ const $SAME = 1e-6;
 const $FAMILY = 1e-4;
 /* What comes no nearer than this to a target, in units of the arm's size, is not next to a solution. */
 const $NEXT_TO = 1e-6;
+/* Of a slide that is farther, in the same units, rounding alone may miss the target. */
+const $FARTHEST = 1e6;
 /* Cosines and sines that are off by more are those of an extraneous root; by more than the second, they
  * are not of one of several that have almost met; where they are off by less than the third, a null
  * vector is of one solution, and no mixture. */
@@ -53,7 +55,7 @@ const $place_of = (search, solution) => {
 const $insert_arrived = (search, arrived, branch) => {
     const { residual, independence } = arrived;
     const { of, gap, regular, singular } = search;
-    if (!(residual <= $NEXT_TO)) {
+    if (!(residual <= $NEXT_TO) || arrived.q.some((x) => Math.abs(x) > $FARTHEST)) {
         return false;
     }
     const solution = {
