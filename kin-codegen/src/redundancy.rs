@@ -266,6 +266,7 @@ fn with_repeated(model: &Model, asked: &[usize], count: usize) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
     use crate::spec::{ArmSpec, Source};
     use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -374,45 +375,86 @@ dh:
         }
     }
 
+    const IIWA: [[f64; 6]; 7] = [
+        [0.0, 0.0, 0.15, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, PI],
+        [0.0, 0.21, 0.0, FRAC_PI_2, 0.0, PI],
+        [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, 0.0],
+        [0.0, 0.21, 0.0, -FRAC_PI_2, PI, 0.0],
+        [0.0, 0.0607, 0.19, FRAC_PI_2, 0.0, 0.0],
+        [0.0, 0.081, 0.0607, -FRAC_PI_2, PI, 0.0],
+    ];
+
     /// Whatever tool it has. Where the arm is folded, at which the samples are few, the swivel has no
     /// angle: that once decided whether an iiwa 7 was given it.
     #[test]
     fn the_swivel_angle_is_given_whatever_the_tool() {
-        const IIWA: [[f64; 6]; 7] = [
-            [0.0, 0.0, 0.15, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, PI],
-            [0.0, 0.21, 0.0, FRAC_PI_2, 0.0, PI],
-            [0.0, 0.0, 0.19, FRAC_PI_2, 0.0, 0.0],
-            [0.0, 0.21, 0.0, -FRAC_PI_2, PI, 0.0],
-            [0.0, 0.0607, 0.19, FRAC_PI_2, 0.0, 0.0],
-            [0.0, 0.081, 0.0607, -FRAC_PI_2, PI, 0.0],
-        ];
-        let joints = IIWA
-            .iter()
-            .enumerate()
-            .map(|(i, [x, y, z, roll, pitch, yaw])| {
-                format!(
-                    "  - {{name: q{i}, xyz: [{x}, {y}, {z}], rpy: [{roll:?}, {pitch:?}, {yaw:?}], \
-                 axis: [0, 0, 1]}}\n"
-                )
-            });
-        let joints: String = joints.collect();
         for tool in [0.0, 0.045, 0.05, 0.09, 0.3] {
-            let found = solved(format!(
-                "robot: iiwa\nunits: {{angle: rad, length: m}}\njoints:\n{joints}  \
-                 - {{name: tool, type: fixed, xyz: [0, 0, {tool}]}}\n"
-            ));
+            let found = solved(iiwa(tool, |angle| format!("{angle:?}")));
             assert!(found.swivel.is_some(), "{tool}: {found:?}");
         }
     }
 
-    /// What is given beside a pose to the arm of a file.
-    fn solved(text: String) -> Redundancy {
+    /// An iiwa 7 with a tool of this length, its angles written so.
+    fn iiwa(tool: f64, written: impl Fn(f64) -> String) -> String {
+        let joints = IIWA.iter().enumerate();
+        let joints = joints.map(|(i, [x, y, z, roll, pitch, yaw])| {
+            let [roll, pitch, yaw] = [roll, pitch, yaw].map(|&angle| written(angle));
+            format!(
+                "  - {{name: q{i}, xyz: [{x}, {y}, {z}], rpy: [{roll}, {pitch}, {yaw}], \
+                 axis: [0, 0, 1]}}\n"
+            )
+        });
+        let joints: String = joints.collect();
+        format!(
+            "robot: iiwa\nunits: {{angle: rad, length: m}}\njoints:\n{joints}  \
+             - {{name: tool, type: fixed, xyz: [0, 0, {tool}]}}\n"
+        )
+    }
+
+    /// Where the digits of a file take axes off each other by 1e-11, roots are double and angles are
+    /// free to that: no elbow is straight, no shoulder singular, to the last digit.
+    #[test]
+    fn twelve_digits_hide_no_singular_arm() {
+        // Folded, it does not have its wrist in its shoulder.
+        let text = iiwa(0.05, |angle| format!("{angle:.11}"));
+        let model = model(text.replace("[0, 0.21, 0], rpy: [-", "[0, 0.2, 0], rpy: [-"));
+        let linkage = Linkage::new(&model);
+        let (solved, found) =
+            solve_redundant(&model, &linkage, Target::Pose, &Asked::default()).unwrap();
+        assert!(solved.form.is_exact() && solved.form.tip_shift > 1e-13);
+        let swivel = found.swivel.unwrap();
+        let (chain, mut random) = (model.chain(), Random(29));
+        for k in 0..200 {
+            let mut q: [f64; 7] = std::array::from_fn(|_| random.between(-2.0, 2.0));
+            q[if k % 2 == 0 { 3 } else { 1 }] = 0.0;
+            let pose = chain.fk(&q);
+            let angle = swivel.angle(&chain, &q);
+            let angle = if angle.is_nan() { 0.4 } else { angle };
+            let found = solved.form.solutions_at(&pose, &[angle]);
+            assert!(!found.is_empty(), "{k}: {q:?}");
+            for (i, solution) in found.iter().enumerate() {
+                assert!(solution.singular, "{q:?}: {solution:?}");
+                for other in &found[..i] {
+                    let apart = solution.q.iter().zip(&other.q);
+                    let apart = apart.map(|(a, b)| (0.5 * (a - b)).sin().abs());
+                    assert!(apart.fold(0.0, f64::max) > 1e-6, "{q:?}: {found:?}");
+                }
+            }
+        }
+    }
+
+    fn model(text: String) -> Model {
         let source = Source {
             path: "arm.yaml".into(),
             text,
         };
-        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+        Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap()
+    }
+
+    /// What is given beside a pose to the arm of a file.
+    fn solved(text: String) -> Redundancy {
+        let model = model(text);
         let linkage = Linkage::new(&model);
         let (_, found) =
             solve_redundant(&model, &linkage, Target::Pose, &Asked::default()).unwrap();

@@ -58,10 +58,10 @@ impl<'a> Trials<'a> {
         self.linkage
     }
 
-    /// The configurations that some plan has lost: how far each joint has moved along its axis.
-    pub fn lost(&self) -> Vec<Vec<f64>> {
+    /// The configurations that some plan has lost, as the joints of a linkage move in them.
+    pub fn lost(&self, linkage: &Linkage) -> Vec<Vec<f64>> {
         let lost = self.lost.borrow();
-        let by_joint = |trial: &Trial| self.linkage.by_joint(&trial.q, &trial.parameters);
+        let by_joint = |trial: &Trial| linkage.by_joint(&trial.q, &trial.parameters);
         lost.iter().map(|(_, trial)| by_joint(trial)).collect()
     }
 

@@ -10,7 +10,7 @@ pub use reading::Reading;
 pub(crate) use reading::tip_shift;
 pub use roots::Domain;
 
-use crate::expr::inverse::{FreeJoints, InverseGraph};
+use crate::expr::inverse::{FreeJoints, InverseGraph, TipShift};
 use crate::geometry::{Carried, Idealized, Linkage};
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
@@ -460,6 +460,14 @@ impl ClosedForm {
     /// How far the idealized arm's tip is from the given one's, relative to the arm's size.
     fn relative_shift(&self) -> f64 {
         self.tip_shift / self.linkage.size
+    }
+
+    /// The same for the expressions of its plan.
+    pub(crate) fn shift(&self) -> TipShift {
+        TipShift {
+            relative: self.relative_shift(),
+            is_refined: !self.is_exact(),
+        }
     }
 
     /// The share of a miss that residuals tell; see [`InverseGraph::residual_share`].

@@ -1,7 +1,7 @@
 //! An arm with relations read into its axes, and the closed forms of the plans for it.
 
 use super::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{DomainMargin, FreeJoints, inverse};
+use crate::expr::inverse::{FreeJoints, TipShift, inverse};
 use crate::geometry::{Idealized, Linkage, Swivel, size};
 use crate::model::{Model, configurations, place};
 use crate::plan::{Plan, Target};
@@ -68,11 +68,11 @@ impl Reading {
 
     /// The closed form by a plan.
     pub fn form(&self, plan: &Plan, free: FreeJoints) -> ClosedForm {
-        let margin = match self.is_exact() {
-            true => 0.0,
-            false => self.tip_shift / self.linkage.size,
+        let shift = TipShift {
+            relative: self.tip_shift / self.linkage.size,
+            is_refined: !self.is_exact(),
         };
-        let inverse = inverse(&self.linkage, plan, DomainMargin(margin), &free);
+        let inverse = inverse(&self.linkage, plan, shift, &free);
         ClosedForm {
             idealized: self.idealized.clone(),
             linkage: self.linkage.clone(),

@@ -3,7 +3,7 @@
 use super::Certified;
 use crate::certificate::{NearSingular, Trials, certify};
 use crate::closed_form::{ClosedForm, Inverse, Refinement};
-use crate::expr::inverse::{DomainMargin, FreeJoints, inverse};
+use crate::expr::inverse::{FreeJoints, inverse};
 use crate::plan::Target;
 use crate::univariate::{self, Kept, MOST};
 
@@ -35,7 +35,7 @@ pub(super) fn completed(trials: &Trials, best: Certified) -> Certified {
     };
     if best.certificate.lost > 0 {
         let (linkage, plan, free) = (&form.linkage, &form.plan, FreeJoints::Flagged);
-        let flagged = inverse(linkage, plan, DomainMargin(0.0), &free);
+        let flagged = inverse(linkage, plan, form.shift(), &free);
         form.inverse = Inverse::Expressions(Box::new(flagged));
         form.free = free;
     }

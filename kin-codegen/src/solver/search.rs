@@ -87,7 +87,7 @@ pub(super) fn solve_idealized(
     let (mut certified, mut degenerate) = (0, 0);
     for tried in 0..most {
         let next = first.next().or_else(|| {
-            let lost = if exact { trials.lost() } else { Vec::new() };
+            let lost = exact.then(|| trials.lost(linkage)).unwrap_or_default();
             later.next(&lost, search.best.is_some())
         });
         let Some(plan) = next else {

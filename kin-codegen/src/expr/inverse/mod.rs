@@ -36,23 +36,41 @@ use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
 use kin_runtime::Pose;
 
-/// How far the arm that the plan is for is from the given one: the shift of its tip by the
-/// arm's size.
+/// How far the arm that the plan is for is from the given one.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DomainMargin(pub f64);
+pub struct TipShift {
+    /// By the arm's size.
+    pub relative: f64,
+    /// Whether its branches are starts, from which solutions of the given arm are found.
+    pub is_refined: bool,
+}
+
+impl TipShift {
+    /// They are the same.
+    pub const NONE: Self = Self {
+        relative: 0.0,
+        is_refined: false,
+    };
+
+    /// What can be told under a root of an arm that is the given one only to this.
+    fn told(self, by_digits: Tolerances) -> Tolerances {
+        if self.is_refined {
+            return by_digits;
+        }
+        Tolerances {
+            noise: by_digits.noise.max(4.0 * self.relative),
+            free_below: by_digits.free_below.max((4.0 * self.relative).powi(2)),
+            ..by_digits
+        }
+    }
+}
 
 /// Writes the plan for a linkage whose tip is at `tip` at home.
 ///
-/// `margin` is 0 when the linkage is exact. On an idealized linkage branches of which a root is out
-/// of its domain by what that explains stay, flagged singular, because refinement on the given arm
-/// may still reach a solution.
-pub fn inverse(
-    linkage: &Linkage,
-    plan: &Plan,
-    margin: DomainMargin,
-    free: &FreeJoints,
-) -> InverseGraph {
-    let mut writer = Writer::new(linkage, plan.target, margin);
+/// Where solutions are refined, branches of which a root is out of its domain by what the shift
+/// explains stay, flagged singular, because refinement on the given arm may still reach a solution.
+pub fn inverse(linkage: &Linkage, plan: &Plan, shift: TipShift, free: &FreeJoints) -> InverseGraph {
+    let mut writer = Writer::new(linkage, plan.target, shift);
     let free_joints = writer.write_all(plan, free);
     writer.finish(free_joints)
 }
@@ -60,7 +78,7 @@ pub fn inverse(
 /// What all branches of a plan cost, by [weight](super::Operations::weight), but for their
 /// residuals: these take about as much after every plan of an arm.
 pub fn weight(linkage: &Linkage, plan: &Plan) -> usize {
-    let mut writer = Writer::new(linkage, plan.target, DomainMargin(0.0));
+    let mut writer = Writer::new(linkage, plan.target, TipShift::NONE);
     writer.write_all(plan, &FreeJoints::Seeded);
     let mut outputs = writer.angles();
     outputs.extend([writer.branch.invalid, writer.branch.singular]);
@@ -162,7 +180,7 @@ struct Level {
 }
 
 impl<'a> Writer<'a> {
-    fn new(linkage: &'a Linkage, target: Target, margin: DomainMargin) -> Self {
+    fn new(linkage: &'a Linkage, target: Target, shift: TipShift) -> Self {
         let mut g = Graph::new();
         let rotation = [1, 2, 3].map(|i| [1, 2, 3].map(|j| g.input(format!("r{i}{j}"))));
         let translation = ["px", "py", "pz"].map(|name| g.input(name));
@@ -174,7 +192,8 @@ impl<'a> Writer<'a> {
         let seed = linkage.solved_variables().into_iter();
         let seed = seed.map(|i| g.input(format!("seed{}", i + 1)));
         let seed = seed.collect();
-        let deviation = (margin.0 > 0.0).then(|| Deviation::new(&mut g, linkage, &given, margin.0));
+        let deviation =
+            (shift.is_refined).then(|| Deviation::new(&mut g, linkage, &given, shift.relative));
         let zero = g.zero();
         let n = linkage.links.len();
         Self {
@@ -182,7 +201,7 @@ impl<'a> Writer<'a> {
             linkage,
             tip: linkage.tip_home(),
             target,
-            tolerances: linkage.scalar.tolerances(),
+            tolerances: shift.told(linkage.scalar.tolerances()),
             given,
             pose,
             seed,
@@ -373,6 +392,17 @@ impl<'a> Writer<'a> {
         self.solved.sum[run]
     }
 
+    /// What comes as that of a run, but not less than can be told.
+    fn threshold(&mut self) -> Expr {
+        let given = self.g.input("free");
+        let least = self.tolerances.free_below;
+        if least <= self.linkage.scalar.tolerances().free_below {
+            return given;
+        }
+        let least = self.g.constant(least);
+        self.g.max(given, least)
+    }
+
     /// All steps, and the joints that move where they are free.
     fn write_all(&mut self, plan: &Plan, free: &FreeJoints) -> Vec<FreeJoint> {
         self.take_parameters();
@@ -385,7 +415,7 @@ impl<'a> Writer<'a> {
             self.step.level = None;
             let turns = free.moves_step(i);
             self.step.free = match turns {
-                true => *threshold.get_or_insert_with(|| self.g.input("free")),
+                true => *threshold.get_or_insert_with(|| self.threshold()),
                 false => self.g.constant(self.tolerances.free_below),
             };
             self.write(step);

@@ -25,6 +25,11 @@ pub(super) struct Discriminant {
 }
 
 impl Discriminant {
+    /// Whether there is no cancellation in it: of its digits rounding takes none, however small it is.
+    pub fn keeps_digits(&self, tolerances: &Tolerances) -> bool {
+        self.noise < tolerances.nearly_free
+    }
+
     /// A sum of squares, which is never below zero.
     pub fn is_sum_of_squares(&self, tolerances: &Tolerances) -> bool {
         self.noise == tolerances.free_below
@@ -149,7 +154,7 @@ impl Writer<'_> {
         let [near, double] =
             [noise.max(self.tolerances.double_root), noise].map(|k| self.scaled(k, amplitude));
         // The root of a sum of squares is double where its vector is nothing.
-        let double = match noise < self.tolerances.nearly_free {
+        let double = match discriminant.keeps_digits(&self.tolerances) {
             true => self.free_below(amplitude),
             false => double,
         };

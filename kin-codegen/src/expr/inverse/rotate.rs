@@ -132,9 +132,8 @@ impl Writer<'_> {
         } else {
             None
         };
-        let squares = square
-            .filter(|square| square.is_sum_of_squares(&self.tolerances))
-            .map(|squares| squares.value);
+        let squares = square.filter(|square| square.is_sum_of_squares(&self.tolerances));
+        let keeps_digits = square.is_some_and(|square| square.keeps_digits(&self.tolerances));
         let mut trig = self.angle_with(second, a, b, d, square, unit);
         if point && square.is_some() {
             // Of a point out of reach the Gram determinant is that of no angle.
@@ -145,12 +144,12 @@ impl Writer<'_> {
         let turned = self.across(x_vector, of(moved));
         let (factor, scale) = match squares {
             // The threshold of the root itself.
-            Some(squares) if !point => (squares, self.g.one()),
+            Some(squares) if !point => (squares.value, self.g.one()),
             // Of points out of reach the two lengths differ.
             _ => {
                 let lengths = [x_vector, of(moved)].map(|v| self.length_squared(v));
                 let product = self.g.mul(lengths[0], lengths[1]);
-                let scale = if squares.is_some() {
+                let scale = if keeps_digits && point {
                     // Less than where the root takes its branches for one:
                     // those that it tells apart keep their angles.
                     let square = self.g.dot(centred, centred);
