@@ -616,6 +616,17 @@ fn a_wrist_may_carry_a_jaw() {
         (&[("wrist", "d"), ("gripper", "e")], "d"),
         (&[("wrist", "d"), ("thumb_yaw", "e")], "d"),
         (&[("wrist", "d"), ("finger_roll", "e")], "d"),
+        // A jaw that does not move hangs on a wrist, not on a finger.
+        (
+            &[("wrist_flex", "d"), ("wrist_roll", "jaw_link")],
+            "jaw_link",
+        ),
+        (
+            &[("wrist_flex", "d"), ("roll", "finger_base")],
+            "finger_base",
+        ),
+        (&[("wrist_flex", "d"), ("thumb_roll", "finger_base")], "d"),
+        (&[("wrist_flex", "d"), ("5", "jaw_link")], "d"),
     ] {
         assert_eq!(tip(&[&arm, behind].concat()), expected, "{behind:?}");
     }
@@ -646,15 +657,16 @@ fn what_jaws_slide_on_is_no_finger() {
         let inner = format!(r#"<limit lower="0" upper="0.04"/>{mimic}"#);
         joint(name, "prismatic", parent, child, &inner)
     };
-    let tip = |kind: &str, behind: String| {
+    let tip_of = |name: &str, kind: &str, behind: String| {
         let arm = [
             joint("elbow", "continuous", "base", "a", ""),
             joint("wrist", "continuous", "a", "b", ""),
-            joint("claw_base_joint", kind, "b", "claw_base", ""),
+            joint(name, kind, "b", "claw_base", ""),
         ]
         .concat();
         accept(&urdf("base a b claw_base l r", &(arm + &behind))).tip
     };
+    let tip = |kind: &str, behind: String| tip_of("claw_base_joint", kind, behind);
     let jaws = |mimic: &str| {
         slide("claw_left", "claw_base", "l", mimic) + &slide("claw_right", "claw_base", "r", mimic)
     };
@@ -665,7 +677,19 @@ fn what_jaws_slide_on_is_no_finger() {
     );
     let fingers = joint("claw_left", "continuous", "claw_base", "l", "")
         + &joint("claw_right", "continuous", "claw_base", "r", "");
-    assert_eq!(tip("continuous", fingers), "b");
+    assert_eq!(tip("continuous", fingers.clone()), "b");
+    // Behind a joint that is not called one they turn.
+    assert_eq!(tip_of("joint_3", "continuous", fingers), "claw_base");
+    let one = joint("claw_left", "continuous", "claw_base", "l", "");
+    let driven = one
+        + &joint(
+            "claw_right",
+            "continuous",
+            "claw_base",
+            "r",
+            r#"<mimic joint="claw_left"/>"#,
+        );
+    assert_eq!(tip_of("joint_3", "continuous", driven), "claw_base");
 }
 
 /// A hoist may carry a gripper and have its name; no finger goes so far.

@@ -132,6 +132,22 @@ impl Plan {
         steps.map(|step| step.subproblem.roots()).product()
     }
 
+    /// Whether its steps are the same, by relations between the same invariants.
+    pub(crate) fn is_like(&self, other: &Self) -> bool {
+        type Between<'a> = (&'a Invariant, Option<&'a Invariant>);
+        fn relations(step: &Step) -> impl Iterator<Item = Between<'_>> {
+            let all = step.relations.iter().chain(&step.complement);
+            all.flat_map(|it| [Some(it), it.with.as_deref()])
+                .flatten()
+                .map(|it| (&it.from, it.to.as_ref()))
+        }
+        let is_same = |(a, b): (&Step, &Step)| {
+            let asked = |step: &Step| (step.subproblem, step.complement.is_some());
+            asked(a) == asked(b) && a.unknowns == b.unknowns && relations(a).eq(relations(b))
+        };
+        self.steps.len() == other.steps.len() && self.steps.iter().zip(&other.steps).all(is_same)
+    }
+
     /// The number of square roots whose sign is free.
     pub fn choices(&self) -> u8 {
         self.steps

@@ -75,20 +75,21 @@ pub(super) fn solve_idealized(
         first.sort_by_cached_key(|plan| weight(linkage, plan));
     }
     let mut search = Search::new(trials, &reading, target, first.first());
-    let mut first = first.into_iter();
     let mut later = Later {
         linkage,
         target,
         all: plans,
         lost: 0,
         solving: None,
+        known: first.clone(),
     };
+    let mut first = first.into_iter();
     let enough = if exact { CERTIFIED } else { REFINED };
     let (mut certified, mut degenerate) = (0, 0);
     for tried in 0..most {
         let next = first.next().or_else(|| {
             let lost = exact.then(|| trials.lost(linkage)).unwrap_or_default();
-            later.next(&lost, search.best.is_some())
+            later.next(&lost)
         });
         let Some(plan) = next else {
             break;
@@ -309,7 +310,7 @@ impl<'a> Search<'a> {
     }
 }
 
-/// The plans that are tried after the first ones.
+/// The plans that are tried after the first ones, none twice.
 struct Later<'a> {
     linkage: &'a Linkage,
     target: Target,
@@ -318,21 +319,26 @@ struct Later<'a> {
     lost: usize,
     /// Those that solve the configurations that others have lost.
     solving: Option<Plans<'a>>,
+    known: Vec<Plan>,
 }
 
 impl Later<'_> {
-    /// The next one. Where no plan solves the lost configurations and one stands that does
-    /// not, another will not be better.
-    fn next(&mut self, lost: &[Vec<f64>], stands: bool) -> Option<Plan> {
+    /// The next one, by turns of those that solve what others have lost, and of all.
+    fn next(&mut self, lost: &[Vec<f64>]) -> Option<Plan> {
         if lost.len() > self.lost {
             self.lost = lost.len();
             self.solving = Some(Plans::solving(self.linkage, self.target, lost));
         }
-        let solving = self.solving.as_mut().and_then(Iterator::next);
-        match solving {
-            None if stands && self.lost > 0 => None,
-            None => self.all.next(),
-            solving => solving,
+        let is_turn_of_all = self.known.len() % 2 == 1;
+        loop {
+            let solving = self.solving.as_mut().filter(|_| !is_turn_of_all);
+            let plan = solving
+                .and_then(Iterator::next)
+                .or_else(|| self.all.next())?;
+            if !self.known.iter().any(|known| known.is_like(&plan)) {
+                self.known.push(plan.clone());
+                return Some(plan);
+            }
         }
     }
 }

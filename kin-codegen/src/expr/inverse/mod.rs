@@ -58,8 +58,8 @@ impl TipShift {
             return by_digits;
         }
         Tolerances {
-            noise: by_digits.noise.max(4.0 * self.relative),
-            free_below: by_digits.free_below.max((4.0 * self.relative).powi(2)),
+            double_root: by_digits.double_root.max(4.0 * self.relative),
+            free_below: by_digits.free_below.max((2.0 * self.relative).powi(2)),
             ..by_digits
         }
     }

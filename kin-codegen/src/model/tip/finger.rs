@@ -29,6 +29,11 @@ const SCARA_JOINTS: usize = 5;
 /// Axes with a greater cosine are parallel but for the digits of a file.
 const PARALLEL: f64 = 0.999;
 
+/// Whether a name, in small letters, has one of these words in it.
+fn has_any(name: &str, words: &[&str]) -> bool {
+    words.iter().any(|word| name.contains(word))
+}
+
 impl Below<'_> {
     /// Whether the last joint of a chain moves a finger.
     pub(super) fn is_finger(&self, chain: &[usize]) -> bool {
@@ -43,13 +48,13 @@ impl Below<'_> {
         // What a gripper hangs on is often named so, and no finger carries the tool.
         let carries = joint.kind != JointType::Prismatic
             && joint.mimic.is_none()
-            && (self.carries_tool(last)
-                || WRISTS.iter().chain(&TURNS).any(|word| name.contains(word)));
+            && (self.carries_tool(last) || has_any(&name, &WRISTS) || has_any(&name, &TURNS));
+        // What hangs on a wrist may be a jaw that does not move.
+        let is_wrist = carries && has_any(&name, &WRISTS) && !self.opens(last);
         let is_named = (name.contains(GRIPPERS[0]) && !carries)
             || (link.contains(GRIPPERS[0]) && !carries && self.opens(last))
-            || GRIPPERS[1..]
-                .iter()
-                .any(|word| name.contains(word) || link.contains(word));
+            || has_any(&name, &GRIPPERS[1..])
+            || (has_any(&link, &GRIPPERS[1..]) && !is_wrist);
         let stroke = self.stroke(last);
         // A hoist may carry a gripper, and have its name.
         let is_long = stroke.is_some_and(|stroke| stroke >= FINGER_STROKE);
@@ -64,9 +69,8 @@ impl Below<'_> {
     pub(super) fn is_wrist(&self, joint: usize) -> bool {
         let joint = &self.spec.joints[joint];
         let name = joint.name.to_lowercase();
-        let is_named = |words: &[&str]| words.iter().any(|word| name.contains(word));
         let turns = joint.kind != JointType::Prismatic && joint.mimic.is_none();
-        turns && (is_named(&WRISTS) || !is_named(&GRIPPERS))
+        turns && (has_any(&name, &WRISTS) || !has_any(&name, &GRIPPERS))
     }
 
     /// Whether the limits of a turn are those of a jaw.
@@ -106,12 +110,19 @@ impl Below<'_> {
         }
     }
 
-    /// Whether a joint turns what several jaws slide on, none of which it drives.
+    /// Whether a joint turns what several jaws move on, none of which it drives: those that slide,
+    /// and behind a joint that is not named as a gripper's those that are.
     fn turns_jaws(&self, joint: usize) -> bool {
         let turning = &self.spec.joints[joint];
-        let jaws = self.hanging_on(turning.child);
-        let slides = jaws.filter(|&j| self.spec.joints[j].kind == JointType::Prismatic);
-        let leaders: Vec<usize> = slides.map(|j| self.followed[j].leader).collect();
+        let is_named = |name: &str| has_any(&name.to_lowercase(), &GRIPPERS);
+        let is_jaw = |&j: &usize| {
+            let moving = &self.spec.joints[j];
+            let moved = &self.spec.links[moving.child].name;
+            moving.kind == JointType::Prismatic
+                || !is_named(&turning.name) && (is_named(&moving.name) || is_named(moved))
+        };
+        let jaws = self.hanging_on(turning.child).filter(is_jaw);
+        let leaders: Vec<usize> = jaws.map(|j| self.followed[j].leader).collect();
         turning.kind != JointType::Prismatic
             && turning.mimic.is_none()
             && leaders.len() > 1
