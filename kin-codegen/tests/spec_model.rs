@@ -878,6 +878,31 @@ fn one_arm_on_a_mobile_robot_is_the_arm() {
     );
 }
 
+#[test]
+fn a_short_arm_beside_wheels_is_the_arm() {
+    let robot = |joints| {
+        limbs(&[
+            ("base", "left_wheel_", 1),
+            ("base", "caster_", 3),
+            ("base", "arm", joints),
+            ("base", "RightWheel", 1),
+        ])
+    };
+    for joints in [3, 4] {
+        let model = accept(&robot(joints));
+        assert_eq!(model.tip, format!("arm{joints}"));
+        let reason = &model.warnings[0].reason;
+        assert!(reason.ends_with("are passed over"), "{reason}");
+    }
+    // Not a wheel of the most joints.
+    let all = limbs(&[("base", "wheel", 3), ("base", "caster", 1)]);
+    let said = model("arm.urdf", &all, None, None).unwrap_err();
+    assert!(
+        said.to_string().contains("2 chains of joints begin"),
+        "{said}"
+    );
+}
+
 /// What carries both, a simulator's base and a torso, once made an arm of a head.
 #[test]
 fn a_head_on_what_carries_the_arm_is_no_arm() {
@@ -1017,7 +1042,8 @@ fn what_may_be_another_arm_is_not_passed_over() {
         (limbs(&[("base", "arm", 6), ("base", "other", 6)]), "arm6"),
         (limbs(&[("base", "leg", 3), ("base", "arm", 6)]), "arm6"),
         (limbs(&[("base", "arm", 6), ("arm2", "other", 2)]), "arm6"),
-        (limbs(&[("base", "wheel", 1), ("base", "arm", 4)]), "arm4"),
+        (limbs(&[("base", "head", 1), ("base", "arm", 4)]), "arm4"),
+        (limbs(&[("base", "wheel", 1), ("base", "arm", 2)]), "arm2"),
         // A hand.
         (
             limbs(&[("base", "finger", 2), ("base", "thumb", 5)]),

@@ -17,7 +17,8 @@
 //!    where two links have the same name behind different prefixes, a warning says so.
 //!
 //! Chains that fork otherwise (two arms in one file) are ambiguous; what is listed of them are the
-//! arms, fingers left out, those of most joints first. But where one has five joints or more, and
+//! arms, fingers left out, those of most joints first. But beside wheels and casters, by their names,
+//! one of three joints or more is the arm; and where one has five joints or more, and
 //! every other no more than two of its own, and three in all or as many as leave that one five of its
 //! own, that one is the arm, and the others are wheels, casters and heads: a warning says so.
 
@@ -79,6 +80,9 @@ const ASIDE: [&str; 14] = [
     "light",
 ];
 
+/// A joint of such a name, or that moves a link of such a name, drives.
+const WHEELS: [&str; 3] = ["wheel", "caster", "castor"];
+
 /// A finger has no more joints,
 const FINGER_JOINTS: usize = 4;
 /// unless it is one of a hand, of which the thumb often has one more, and the little finger.
@@ -91,7 +95,7 @@ const WHOLE_HAND: usize = 5;
 const TENDON_JOINTS: usize = 7;
 /// Of a robot with more ends than this no arm is the one that is meant.
 const MOST_ENDS: usize = 100;
-/// An arm that carries fingers has no fewer joints.
+/// An arm that carries fingers, or is the only one beside wheels, has no fewer joints.
 const ARM_JOINTS: usize = 3;
 /// An arm that is the only one on what drives and looks has no fewer joints,
 const CARRIED_JOINTS: usize = 5;
@@ -311,8 +315,8 @@ impl Below<'_> {
         (arm >= ARM_JOINTS && fingers).then_some(arm)
     }
 
-    /// The arms among lines of moving joints, each once, those of most joints first. Of lines that
-    /// begin alike, the most that are fingers on one arm are that arm.
+    /// The arms among lines of moving joints, each once, those of most joints first, and wheels
+    /// last. Of lines that begin alike, the most that are fingers on one arm are that arm.
     fn arms(&self, base: usize, ends: &[Vec<usize>]) -> Vec<Limb> {
         let mut arms: Vec<Limb> = Vec::new();
         let mut rest = ends;
@@ -341,7 +345,7 @@ impl Below<'_> {
             }
             rest = &rest[group.len()..];
         }
-        arms.sort_by_key(|arm| Reverse(arm.joints.len()));
+        arms.sort_by_key(|arm| (self.is_wheel(arm), Reverse(arm.joints.len())));
         arms
     }
 
@@ -370,12 +374,30 @@ impl Below<'_> {
             // What carries both may have any number of joints, if the arm has enough of its own.
             let is_short =
                 other.joints.len() <= OTHER_JOINTS || arm.joints.len() - shared >= CARRIED_JOINTS;
-            is_short && other.joints.len() - shared <= OWN_JOINTS
+            is_short && other.joints.len() - shared <= OWN_JOINTS || self.is_wheel(other)
+        };
+        let fewest = match others.iter().all(|other| self.is_wheel(other)) {
+            true => ARM_JOINTS,
+            false => CARRIED_JOINTS,
         };
         arm.base == base
-            && arm.joints.len() >= CARRIED_JOINTS
+            && arm.joints.len() >= fewest
             && others.iter().all(is_no_limb)
             && !self.is_finger(&arm.joints)
+            && !self.is_wheel(arm)
+    }
+
+    /// Whether a limb ends with a wheel, by name.
+    fn is_wheel(&self, limb: &Limb) -> bool {
+        limb.joints.last().is_some_and(|&last| {
+            let joint = &self.spec.joints[last];
+            [&joint.name, &self.spec.links[joint.child].name]
+                .iter()
+                .any(|name| {
+                    let name = name.to_lowercase();
+                    WHEELS.iter().any(|word| name.contains(word))
+                })
+        })
     }
 
     /// The link that an arm ends with: what its last joint moves, or what carries the fingers.

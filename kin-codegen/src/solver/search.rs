@@ -88,7 +88,10 @@ pub(super) fn solve_idealized(
     let (mut certified, mut degenerate) = (0, 0);
     for tried in 0..most {
         let next = first.next().or_else(|| {
-            let lost = exact.then(|| trials.lost(linkage)).unwrap_or_default();
+            let lost = match exact {
+                true => trials.lost(linkage),
+                false => Vec::new(),
+            };
             later.next(&lost)
         });
         let Some(plan) = next else {

@@ -5,6 +5,10 @@ use super::{elements, numbers, origin, vocabulary};
 use crate::spec::{Collector, JointType, Limits, Rating, orientation};
 use roxmltree::Node;
 
+/// Limits of a continuous joint that are so far apart, radians, are those of a full turn, which says
+/// nothing.
+const NEARLY_ALL_AROUND: f64 = 6.2;
+
 /// The children of a joint that are read, each at most once.
 pub(super) struct Parts<'a, 'i>(Vec<Node<'a, 'i>>);
 
@@ -125,6 +129,14 @@ impl<'a, 'i> Parts<'a, 'i> {
         };
         let (lower, upper) = bounds?;
         let at = place(node, diagnostics);
+        if continuous && lower < upper && upper - lower < NEARLY_ALL_AROUND {
+            let reason = format!(
+                "the limits {lower}..{upper} rad do not hold: the joint is continuous, which has none"
+            );
+            let remedy =
+                "make it type=\"revolute\" if it stops there, or remove `lower` and `upper`";
+            diagnostics.warn(at, reason, remedy);
+        }
         let limits = match continuous || infinite {
             true => Limits::Unlimited,
             false => Limits::Range { lower, upper, at },
