@@ -147,6 +147,10 @@ const LONGEST_ARM: f64 = 100.0;
 /// A shorter arm was likely written in metres where millimetres were stated, or in other units.
 const SHORTEST_ARM: f64 = 0.01;
 
+/// Metres read as millimetres go no farther, and of an arm this long few slides are meant to.
+const SHORTEST_TRAVEL: f64 = 0.003;
+const LONG: f64 = 0.1;
+
 impl Model {
     /// The arm as a generic product of exponentials of all joints: the reference that closed forms
     /// are held against. Where joints mimic others they are not the coordinates of q.
@@ -372,6 +376,17 @@ fn check_size(spec: &ArmSpec, chain: &chain::Chain, diagnostics: &mut Collector)
     if total > 0.0 && reach < SHORTEST_ARM {
         let reason = format!("the chain is {:.4} mm long", 1e3 * total);
         let remedy = "check the unit of its lengths: a URDF has metres, YAML what `units` states";
+        diagnostics.warn_whole(reason, remedy);
+    }
+    let farthest = chain.joints.iter().map(travel).fold(0.0, f64::max);
+    if farthest > 0.0 && farthest < SHORTEST_TRAVEL && total > LONG {
+        let reason = format!(
+            "no joint slides farther than {:.4} mm from zero, of an arm {total:.4} m long: this looks \
+             like metres, read as millimetres",
+            1e3 * farthest
+        );
+        let remedy = "write limits in the unit of the file: metres in a URDF, in YAML what `units` \
+                      states";
         diagnostics.warn_whole(reason, remedy);
     }
     if let Some(&longest) = longest.filter(|_| total > LONGEST_ARM) {
