@@ -48,10 +48,18 @@ pub(super) fn attribute<'a, 'i>(
     diagnostics: &mut Collector,
 ) -> Option<Attribute<'a, 'i>> {
     let found = node.attribute_node(name);
-    let known = vocabulary::attributes(node.tag_name().name());
-    let meant = |a: &Attribute| suggest::nearest(a.name(), known.iter().copied()) == Some(name);
+    let element = node.tag_name().name();
+    let known = vocabulary::attributes(element);
+    let meant = |a: &Attribute| {
+        let nearest = suggest::nearest(a.name(), known.iter().copied());
+        // Of one that is refused it is said that the only one is meant.
+        let is_refused = a.namespace().is_none()
+            && !vocabulary::tolerates_attributes(element)
+            && !is_zero(a.value());
+        nearest == Some(name) || known.len() == 1 && is_refused
+    };
     if found.is_none() && !node.attributes().any(|a| meant(&a)) {
-        let reason = format!("<{}> has no `{name}`", node.tag_name().name());
+        let reason = format!("<{element}> has no `{name}`");
         let remedy = format!("add {name}=\"...\"");
         diagnostics.at(place(node, diagnostics), reason, remedy);
     }
