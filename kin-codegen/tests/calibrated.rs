@@ -1017,3 +1017,60 @@ fn a_wrist_beside_the_first_axis_of_a_rounded_shoulder_is_found() {
         }
     }
 }
+
+/// With noise of 1e-11 to 1e-10 the wrist passes the first axis as closely: there Newton's steps led away
+/// from all branches, and no elimination tells a solution.
+#[test]
+fn a_wrist_on_the_first_axis_has_a_solution() {
+    let (right, half) = (FRAC_PI_2, PI);
+    let design = written(format!(
+        "robot: upright\nunits: {{angle: rad, length: m}}\njoints:\n\
+         - {{name: j1, xyz: [0, 0, 0.29], axis: [0, 0, 1]}}\n\
+         - {{name: j2, rpy: [{right:?}, 0, 0], axis: [0, 0, 1]}}\n\
+         - {{name: j3, xyz: [0, 0.27, 0], rpy: [{half:?}, 0, {right:?}], axis: [0, 0, 1]}}\n\
+         - {{name: j4, xyz: [0, 0.07, 0], rpy: [{right:?}, 0, {right:?}], axis: [0, 0, 1]}}\n\
+         - {{name: j5, xyz: [0, 0, 0.302], rpy: [{right:?}, 0, {half:?}], axis: [0, 0, 1]}}\n\
+         - {{name: j6, rpy: [{right:?}, 0, {half:?}], axis: [0, 0, 1]}}\n\
+         - {{name: tip, type: fixed, xyz: [0, 0.072, 0]}}\n",
+    ));
+    let mut random = Random(0x0e20);
+    let (mut refined, mut tried) = (0, 0);
+    for noise in [1e-12, 1e-11, 2e-11, 5e-11, 1e-10, 1e-9] {
+        let model = measured(&design, noise, &mut random);
+        let (linkage, chain) = (Linkage::new(&model), model.chain());
+        let form = solve(&model, &linkage, Target::Pose).unwrap().form;
+        refined += usize::from(!form.is_exact());
+        for k in 0..40 {
+            let mut q = configuration(6, 3 * k, &mut random);
+            let along = |angle: f64| {
+                let mut q = q.clone();
+                q[1] = angle;
+                let [x, y, _] = chain.fk_links(&q)[4].translation;
+                x * q[0].cos() + y * q[0].sin()
+            };
+            let step = PI / 16.0;
+            let mut places = (0..32).map(|k| f64::from(k) * step);
+            let Some(start) = places.find(|&at| along(at) * along(at + step) < 0.0) else {
+                continue;
+            };
+            let (mut low, mut high) = (start, start + step);
+            for _ in 0..60 {
+                let middle = 0.5 * (low + high);
+                match along(low) * along(middle) <= 0.0 {
+                    true => high = middle,
+                    false => low = middle,
+                }
+            }
+            q[1] = low;
+            tried += 1;
+            let target = chain.fk(&q);
+            let found = form.solutions(&target);
+            assert!(!found.is_empty(), "{noise:e}: {q:?}");
+            for solution in &found {
+                let miss = Target::Pose.distance(&chain.fk(&solution.q), &target, size(&model));
+                assert!(miss < 1e-9 * size(&model), "{noise:e}: {miss:e} at {q:?}");
+            }
+        }
+    }
+    assert!(refined > 1 && tried > 150, "{refined}, {tried}");
+}

@@ -9,6 +9,9 @@ use roxmltree::Node;
 /// nothing.
 const NEARLY_ALL_AROUND: f64 = 6.2;
 
+/// Other parts in which people forget to close the element.
+const DYNAMICS: [&str; 3] = ["dynamics", "calibration", "safety_controller"];
+
 /// The children of a joint that are read, each at most once.
 pub(super) struct Parts<'a, 'i>(Vec<Node<'a, 'i>>);
 
@@ -25,6 +28,7 @@ impl<'a, 'i> Parts<'a, 'i> {
         let mut parts = Parts(Vec::new());
         for child in elements(joint) {
             let name = child.tag_name().name();
+            refuse_nested(child, parent, diagnostics);
             if !read.contains(&name) {
                 if vocabulary::KINEMATIC.contains(&name) {
                     let reason = format!("<{name}> in a <{parent}>, which has none");
@@ -142,6 +146,21 @@ impl<'a, 'i> Parts<'a, 'i> {
             false => Limits::Range { lower, upper, at },
         };
         Some((limits, rating))
+    }
+}
+
+/// What carries kinematics is lost inside of another part, where nobody reads it.
+fn refuse_nested(part: Node, joint: &str, diagnostics: &mut Collector) {
+    let name = part.tag_name().name();
+    let is_part = vocabulary::KINEMATIC.contains(&name) || DYNAMICS.contains(&name);
+    for inner in elements(part).filter(|_| is_part) {
+        let lost = inner.tag_name().name();
+        if vocabulary::KINEMATIC.contains(&lost) {
+            let reason = format!("<{lost}> inside of <{name}> is not read");
+            let remedy =
+                format!("close <{name} .../> in front of it: both belong in the <{joint}>");
+            diagnostics.at(place(inner, diagnostics), reason, remedy);
+        }
     }
 }
 

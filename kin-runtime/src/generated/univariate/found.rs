@@ -17,7 +17,7 @@ const FAMILY: f64 = 1e-4;
 const BESIDE: f64 = 1e-4;
 
 /// What comes no nearer than this to a target, in units of the arm's size, is not next to a solution.
-const NEXT_TO: f64 = 1e-6;
+pub(super) const NEXT_TO: f64 = 1e-6;
 
 /// Of a slide that is farther, in the same units, rounding alone may miss the target.
 const FARTHEST: f64 = 1e6;

@@ -2,7 +2,7 @@
 
 use super::candidates::{Candidate, Candidates};
 use super::elimination::Elimination;
-use super::found::{Answer, Found, Waiting};
+use super::found::{Answer, Found, NEXT_TO, Waiting};
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
@@ -162,11 +162,14 @@ impl<'a> Search<'a> {
         // Of arms of fewer joints branches need not reach the target. Those that do are off by less,
         // unless a root is nearly double.
         let missed = self.meeting * self.arm.size;
-        let (mut clear, mut some) = (true, false);
+        let (mut clear, mut some, mut reaching) = (true, false, None);
         let mut numbers = [0; LANES];
         let mut certain = [false; LANES];
         for branch in branches {
             some = true;
+            if branch.residual <= NEXT_TO * self.arm.size {
+                reaching = reaching.or(Some(branch));
+            }
             clear &= !branch.singular;
             certain[self.starts.count] = branch.residual <= missed;
             numbers[self.starts.count] = branch.branch;
@@ -185,9 +188,11 @@ impl<'a> Search<'a> {
             self.branch += 1;
             self.ask_in_turn();
         }
+        // Where the ideal arm is singular, Newton's steps lead away from a branch that reaches the
+        // target but for the noise.
         Answer {
             solutions: self.found.by_branch(),
-            nearest: self.found.nearest,
+            nearest: self.found.nearest.or(reaching),
         }
     }
 

@@ -57,6 +57,8 @@ static void kin_refine(
 {
     kin_found *found = &search->found;
     int numbers[KIN_LANES], certain[KIN_LANES], clear = 1, some = 0;
+    int reaching = -1;
+    kin_six first = {{0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, 0.0, 0, 0};
     kin_begin(target, given, search);
     if (!(found->gap <= 1e-9) || kin_is_too_far(&search->problem)) {
         return;
@@ -75,6 +77,12 @@ static void kin_refine(
         for (int i = 0; i < 6; ++i) {
             q[i] = i < KIN_SOLVED ? lanes->q[i % KIN_SOLVED][k] : 0.0;
             q[i] *= kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
+        }
+        if (reaching < 0 && lanes->residual[k] <= KIN_NEXT_TO * KIN_ARM_SIZE) {
+            reaching = first.branch = k;
+            for (int i = 0; i < 6; ++i) {
+                first.q[i] = q[i];
+            }
         }
         /* Of arms of fewer joints branches need not reach the target. Those that do are off by less,
          * unless a root is nearly double. */
@@ -95,6 +103,12 @@ static void kin_refine(
     }
     if (!clear) {
         kin_ask_in_turn(search);
+    }
+    /* Where the ideal arm is singular, Newton's steps lead away from a branch that reaches the target but
+     * for the noise. */
+    if (!(found->nearest_by <= KIN_NEXT_TO) && reaching >= 0) {
+        found->nearest = first;
+        found->nearest_by = 0.0;
     }
     for (int i = 0; i < found->singular_count && found->regular_count < KIN_MOST_FOUND; ++i) {
         found->regular[found->regular_count++] = found->singular[i];

@@ -22,15 +22,18 @@ const $refined = (form, target, seed, lanes) => {
     search.branch = form.branches;
     let is_clear = true;
     let some = false;
+    let reaching = null;
     for (let k = 0; k < form.branches; ++k) {
         if (!$begins(form, lanes, k)) {
             continue;
         }
         some = true;
+        const residual = lanes.residual[k];
         /* Of arms of fewer joints branches need not reach the target. Those that do are off by less,
          * unless a root is nearly double. */
-        const is_certain = lanes.residual[k] <= search.meeting * size;
+        const is_certain = residual <= search.meeting * size;
         const from = $in_units(form.search, lanes.q.map((lane) => lane[k]));
+        reaching ??= residual <= $NEXT_TO * size ? { q: from, branch: k } : null;
         const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
         const before = search.regular.length;
         if (!$insert_arrived(search, arrived, k)) {
@@ -51,7 +54,12 @@ const $refined = (form, target, seed, lanes) => {
         $ask_in_turn(search);
     }
     const found = [...search.regular, ...search.singular].slice(0, $MOST_FOUND);
-    return { solutions: found.sort((a, b) => a.branch - b.branch), nearest: search.nearest };
+    /* Where the ideal arm is singular, Newton's steps lead away from a branch that reaches the target but
+     * for the noise. */
+    return {
+        solutions: found.sort((a, b) => a.branch - b.branch),
+        nearest: search.nearest ?? reaching,
+    };
 };
 
 /* The solutions of a target by the branches of a plan and eliminations beside them: of an arm off its
