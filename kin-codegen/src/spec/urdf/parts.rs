@@ -159,7 +159,12 @@ fn refuse_nested(part: Node, joint: &str, diagnostics: &mut Collector) {
             let reason = format!("<{lost}> inside of <{name}> is not read");
             let remedy =
                 format!("close <{name} .../> in front of it: both belong in the <{joint}>");
-            diagnostics.at(place(inner, diagnostics), reason, remedy);
+            let at = place(inner, diagnostics);
+            match lost {
+                // A joint that needs one is refused for having none.
+                "limit" => diagnostics.warn(at, reason, remedy),
+                _ => diagnostics.at(at, reason, remedy),
+            }
         }
     }
 }
