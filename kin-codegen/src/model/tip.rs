@@ -115,6 +115,11 @@ struct Below<'s> {
     followed: Vec<Followed>,
 }
 
+/// Whether a name, in small letters, has one of these words in it.
+fn has_any(name: &str, words: &[&str]) -> bool {
+    words.iter().any(|word| name.contains(word))
+}
+
 /// What may be meant by the arm.
 struct Limb {
     /// The link that it stands on.
@@ -391,12 +396,10 @@ impl Below<'_> {
     fn is_wheel(&self, limb: &Limb) -> bool {
         limb.joints.last().is_some_and(|&last| {
             let joint = &self.spec.joints[last];
-            [&joint.name, &self.spec.links[joint.child].name]
+            let names = [&joint.name, &self.spec.links[joint.child].name];
+            names
                 .iter()
-                .any(|name| {
-                    let name = name.to_lowercase();
-                    WHEELS.iter().any(|word| name.contains(word))
-                })
+                .any(|name| has_any(&name.to_lowercase(), &WHEELS))
         })
     }
 

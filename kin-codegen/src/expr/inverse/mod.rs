@@ -52,7 +52,8 @@ impl TipShift {
         is_refined: false,
     };
 
-    /// What can be told under a root of an arm that is the given one only to this.
+    /// What can be told under a root of an arm that is the given one only to this. The
+    /// factors are what arms of eleven and twelve digits needed where they are singular.
     fn told(self, by_digits: Tolerances) -> Tolerances {
         if self.is_refined {
             return by_digits;

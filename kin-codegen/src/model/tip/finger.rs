@@ -1,6 +1,6 @@
 //! What tells the last joint of a chain from a joint of the arm.
 
-use super::Below;
+use super::{Below, has_any};
 use crate::spec::{JointType, Limits};
 use crate::vector::dot;
 
@@ -28,11 +28,6 @@ const OPEN: f64 = 2.1;
 const SCARA_JOINTS: usize = 5;
 /// Axes with a greater cosine are parallel but for the digits of a file.
 const PARALLEL: f64 = 0.999;
-
-/// Whether a name, in small letters, has one of these words in it.
-fn has_any(name: &str, words: &[&str]) -> bool {
-    words.iter().any(|word| name.contains(word))
-}
 
 impl Below<'_> {
     /// Whether the last joint of a chain moves a finger.
