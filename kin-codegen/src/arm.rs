@@ -286,7 +286,7 @@ impl CompiledArm {
         let swivel = redundancy.clone().filter(|it| it.swivel.is_some());
         let swivel = swivel.map(|_| redundancy::SWIVEL.to_owned());
         let joints = redundancy.flat_map(|redundancy| &redundancy.joints);
-        let names = joints.map(|&joint| self.model.joints[joint].name.clone());
+        let names = joints.map(|&joint| self.model.variables[joint].name.clone());
         names.chain(swivel).collect()
     }
 

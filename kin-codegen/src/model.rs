@@ -71,6 +71,9 @@ pub struct Joint {
     pub multiplier: f64,
     /// See `multiplier`.
     pub offset: f64,
+    /// How far a slide goes for each metre of its value: 1, but of
+    /// [several that are one](crate::geometry::by_coordinates).
+    pub gear: f64,
 }
 
 impl Joint {
@@ -131,11 +134,11 @@ impl Joint {
         self.variable == variable && self.multiplier == 1.0 && self.offset == 0.0
     }
 
-    /// The unit twist of the joint at home (MLS section 3.2.2).
+    /// The twist of the joint at home (MLS section 3.2.2).
     pub fn twist(&self) -> Twist {
         match self.kind {
             JointKind::Revolute => Twist::revolute(self.axis, self.point),
-            JointKind::Prismatic => Twist::prismatic(self.axis),
+            JointKind::Prismatic => Twist::prismatic(self.axis.map(|x| self.gear * x)),
         }
     }
 }
@@ -157,7 +160,7 @@ impl Model {
     pub fn chain(&self) -> Chain {
         let twists = self.joints.iter().map(|joint| joint.twist()).collect();
         let links = self.joints.iter().map(|joint| joint.frame).collect();
-        Chain::new(twists, self.home).with_links(links)
+        Chain::geared(twists, self.home).with_links(links)
     }
 
     /// The values of all joints at the coordinates q.
@@ -438,6 +441,7 @@ fn compose(spec: &ArmSpec, chain: &chain::Chain, drives: &mimic::Drives) -> (Vec
             variable: drive.variable,
             multiplier: drive.multiplier,
             offset: drive.offset,
+            gear: 1.0,
         });
     }
     (joints, pose)

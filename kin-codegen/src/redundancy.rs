@@ -5,7 +5,7 @@ mod choices;
 mod named;
 mod weighed;
 
-use crate::geometry::{Linkage, Swivel, rank};
+use crate::geometry::{Linkage, Swivel, by_coordinates, rank};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve};
@@ -21,7 +21,7 @@ const SOLVED: usize = 8;
 /// What the option `free` asks for.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Asked {
-    /// Joints, by their places in the chain, ascending.
+    /// Joints, by the coordinates that they are, ascending.
     pub joints: Vec<usize>,
     /// The swivel, if its angle is to be given.
     pub swivel: Option<Swivel>,
@@ -37,7 +37,7 @@ impl Asked {
 /// The joints that stay free, and why these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Redundancy {
-    /// Their places in the chain, ascending; one parameter for each.
+    /// The coordinates that they are, ascending; one parameter for each.
     pub joints: Vec<usize>,
     /// The swivel, if its angle is a parameter, behind those.
     pub swivel: Option<Swivel>,
@@ -61,20 +61,23 @@ impl Redundancy {
 /// ways in which the joints change them. One at least: joints that change nothing are refused for
 /// that, and not given one and all.
 fn coordinates(model: &Model, target: Target) -> usize {
-    match model.is_coupled() {
-        true => target.coordinates(),
-        false => rank(model, target).clamp(1, target.coordinates()),
+    if model.is_coupled() {
+        let own = by_coordinates(model);
+        return own.map_or(target.coordinates(), |own| coordinates(&own, target));
     }
+    rank(model, target).clamp(1, target.coordinates())
 }
 
 /// Whether joints are given beside a target: because they are asked for, or because fewer can choose
 /// as much. Two neighbours that turn about one line are rather a slip in the file, and not passed
 /// over unless they have to be.
 pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
-    let n = match model.is_coupled() {
-        true => model.variables.len(),
-        false => model.joints.len(),
-    };
+    if model.is_coupled()
+        && let Some(model) = by_coordinates(model)
+    {
+        return is_redundant(&model, target, asked);
+    }
+    let n = model.variables.len();
     let turns_twice = || alike(model).any(|i| model.joints[i].is_revolute());
     asked.count() > 0
         || n > target.coordinates()
@@ -97,13 +100,32 @@ pub fn solve_redundant(
     asked: &Asked,
 ) -> Result<(Certified, Redundancy), NoClosedForm> {
     if model.is_coupled() {
-        return Err(NoClosedForm::Mimic(Coupled::Redundant));
+        let model = by_coordinates(model).ok_or(NoClosedForm::Mimic(Coupled::Redundant))?;
+        let linkage = Linkage::new(&model);
+        let asked = with_geared(&model, target, asked)?;
+        return solve_redundant(&model, &linkage, target, &asked);
     }
     let wanted = Wanted::new(model, target, asked);
     match wanted.by_swivel(model, linkage, asked) {
         Some(found) => found,
         None => wanted.by_joints(model, linkage, &asked.joints),
     }
+}
+
+/// What is asked for, and slides that are never solved for.
+fn with_geared(model: &Model, target: Target, asked: &Asked) -> Result<Asked, NoClosedForm> {
+    let mut all = asked.clone();
+    let most = Wanted::new(model, target, asked).count;
+    for (i, joint) in model.joints.iter().enumerate() {
+        if joint.gear != 1.0 && !asked.joints.contains(&i) {
+            if all.count() == most {
+                return Err(NoClosedForm::Mimic(Coupled::Geared(joint.name.clone())));
+            }
+            all.joints.push(i);
+        }
+    }
+    all.joints.sort_unstable();
+    Ok(all)
 }
 
 /// What is given beside a target, and what is left to be solved.

@@ -45,6 +45,10 @@ impl Refusal {
                 "give it limits that are less than a full turn of the joints apart; `ik = none` generates forward \
                  kinematics and Jacobians alone"
             }
+            Reason::Arm(NoClosedForm::Mimic(Coupled::Geared(_))) => {
+                "name it in `free`, or leave that out; `ik = none` generates forward kinematics and \
+                 Jacobians alone"
+            }
             Reason::Arm(NoClosedForm::Mimic(_)) => {
                 "name a link in front of the joints that mimic others as the tip, or one behind them as \
                  the base, if the arm ends there; `ik = none` generates forward kinematics and Jacobians alone"
@@ -262,6 +266,11 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
         }
         Coupled::Redundant => {
             ", and of more joints than targets have coordinates none can stay free then".into()
+        }
+        Coupled::Geared(name) => {
+            format!(
+                ", and `{name}`, which others slide along with, has to be one of those that stay free"
+            )
         }
         Coupled::Unsolved(reason) => {
             format!(

@@ -49,6 +49,7 @@ const BY_DEFAULT: &[&str] = &[
     "tests/robots/coupled/parallelogram.yaml",
     "tests/robots/coupled/rack.yaml",
     "tests/robots/coupled/remote_centre.yaml",
+    "tests/robots/redundant/column.yaml",
     "tests/robots/redundant/rail.yaml",
     "tests/robots/table/concurrent_345.yaml",
     "tests/robots/table/parallel_123.yaml",

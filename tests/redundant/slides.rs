@@ -1,9 +1,14 @@
 //! Slides whose stops are far away, or are not there.
 
 use crate::random::Random;
-use kinematics::{Criterion, JointLimit, Pose, Robot, RobotOptions, RobotSource};
+use kinematics::{
+    Criterion, JointLimit, Parameter, Pose, RedundantKinematics, Robot, RobotOptions, RobotSource,
+    kinematics,
+};
 use std::f64::consts::PI;
 use std::path::Path;
+
+kinematics!("robots/redundant/column.yaml");
 
 /// The UR5e on a rail with other stops, millimetres.
 fn rail(stops: &str) -> Robot {
@@ -116,4 +121,125 @@ fn narrow_stops_leave_short_intervals() {
             }
         }
     }
+}
+
+/// The UR5e on a column of two stages, and on one of a single stage that goes as far.
+fn columns() -> [Robot; 2] {
+    let two = "robots/redundant/column.yaml";
+    let two = RobotSource::read(two, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let mut one = two.clone();
+    let (before, rest) = one.text.split_once("  - {name: lower,").unwrap();
+    let (_, rest) = rest.split_once("offset: 15}}\n").unwrap();
+    let slide =
+        "{name: lift, xyz: [0, 0, 355], axis: [0, 0, 1], type: prismatic, limits: [0, 900]}";
+    one.text = format!("{before}  - {slide}\n{rest}");
+    [two, one].map(|source| Robot::load(&source, &RobotOptions::default()).unwrap())
+}
+
+/// Stages that slide along each other are one slide, that goes twice as far for each metre of the
+/// first.
+#[test]
+fn the_stages_of_a_column_are_one_slide() {
+    let [two, one] = columns();
+    assert_eq!(two.parameter_names(), ["lower"]);
+    assert_eq!(Column::PARAMETER, Parameter::Joint(0));
+    let (by_two, by_one) = (two.along(0, &[0.0]), one.along(0, &[0.0]));
+    let mut random = Random::new(77);
+    for k in 0..200 {
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.angle());
+        q[0] = random.between(0.0, 0.45);
+        let mut single = q;
+        single[0] = 2.0 * q[0];
+        let pose = two.fk(&q);
+        assert!(pose.translation_distance(&one.fk(&single)) < 1e-14);
+        let halved = |q: &[f64]| [&[0.5 * q[0]], &q[1..]].concat();
+        let found = by_two.ik_at(&pose, q[0]);
+        let wanted = by_one.ik_at(&pose, 2.0 * q[0]);
+        assert_eq!(found.len(), wanted.len(), "{q:?}");
+        for (found, wanted) in found.iter().zip(wanted.iter()) {
+            assert!(
+                apart(found.q, &halved(wanted.q)) < 1e-9,
+                "{found:?} {wanted:?}"
+            );
+            assert!(pose.translation_distance(&two.fk(found.q)) < 1e-12);
+        }
+        let compiled = Column.ik_at(&Column.fk(&q), q[0]);
+        assert_eq!(compiled.len(), wanted.len(), "{q:?}");
+        for (compiled, wanted) in compiled.iter().zip(wanted.iter()) {
+            assert!(apart(&compiled.q, &halved(wanted.q)) < 1e-9, "{compiled:?}");
+        }
+        if k % 20 != 0 {
+            continue;
+        }
+        let found = by_two.feasible_within(&pose, two.limits());
+        let wanted = by_one.feasible_within(&pose, one.limits());
+        assert_eq!(found.len(), wanted.len(), "{q:?}");
+        for (found, wanted) in found.iter().zip(&wanted) {
+            let ends = [found.from - 0.5 * wanted.from, found.to - 0.5 * wanted.to];
+            assert!(ends.iter().all(|d| d.abs() < 1e-6), "{found:?} {wanted:?}");
+        }
+        let best: [f64; 7] = by_two.ik_best(&pose, &Criterion::Nearest(q)).unwrap();
+        assert!(apart(&best, &q) < 1e-6, "{q:?}: {best:?}");
+    }
+}
+
+/// The quill of a SCARA does the same as the column that it stands on, and is no stage of it.
+#[test]
+fn a_column_is_given_below_a_quill() {
+    let mut source = RobotSource::read(
+        "robots/redundant/column.yaml",
+        Path::new(env!("CARGO_MANIFEST_DIR")),
+    )
+    .unwrap();
+    let (column, _) = source.text.split_once("  - {name: shoulder_pan").unwrap();
+    source.text = format!(
+        "{column}  - {{name: j1, xyz: [0, 0, 200], axis: [0, 0, 1], limits: [-150, 150]}}
+  - {{name: j2, xyz: [300, 0, 0], axis: [0, 0, 1], limits: [-150, 150]}}
+  - {{name: quill, xyz: [250, 0, 0], axis: [0, 0, -1], type: prismatic, limits: [0, 200]}}
+  - {{name: j4, axis: [0, 0, 1], limits: [-360, 360]}}
+tip: tool0
+"
+    );
+    let arm = Robot::load(&source, &RobotOptions::default()).unwrap();
+    assert_eq!(arm.parameter_names(), ["lower"]);
+    let mut random = Random::new(5);
+    for _ in 0..100 {
+        let mut q: [f64; 5] = std::array::from_fn(|_| random.angle());
+        (q[0], q[3]) = (random.between(0.0, 0.45), random.between(0.0, 0.2));
+        let solutions = arm.ik_at(&arm.fk(&q), &[q[0]]);
+        assert_eq!(solutions.len(), 2, "{q:?}");
+        let is_among = solutions.iter().any(|it| apart(it.q, &q) < 1e-9);
+        assert!(is_among, "{q:?}: {solutions:?}");
+    }
+}
+
+/// A slide whose stages go farther than its coordinate is not
+/// solved for.
+#[test]
+fn a_column_of_stages_is_always_given() {
+    let path = "robots/redundant/column.yaml";
+    let source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let options = RobotOptions {
+        free: vec!["elbow".into()],
+        ..RobotOptions::default()
+    };
+    let refused = Robot::load(&source, &options).err().unwrap().to_string();
+    assert!(
+        refused.contains("help: name it in `free`, or leave that out"),
+        "{refused}"
+    );
+    assert!(
+        refused.contains(
+            "`lower`, which others slide along with, has to be one of those that stay free"
+        ),
+        "{refused}"
+    );
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    let each = a.iter().zip(b).map(|(a, b)| {
+        let d = (a - b).abs() % (2.0 * PI);
+        d.min(2.0 * PI - d)
+    });
+    each.fold(0.0, f64::max)
 }

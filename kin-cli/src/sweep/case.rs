@@ -5,7 +5,7 @@ use super::draw::Ranges;
 use kin_codegen::Scalar;
 use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
-use kin_codegen::geometry::{SINGULAR, size, uncoupled};
+use kin_codegen::geometry::{SINGULAR, by_coordinates, size, uncoupled};
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
@@ -50,8 +50,12 @@ impl<'a> Case<'a> {
         let size = size(model);
         let ranges = Ranges::new(model, size);
         // Of an arm that is solved its coordinates follow from the joints.
-        let uncoupled = uncoupled(model).ok().filter(|_| model.is_coupled());
-        let model = uncoupled.map_or(Cow::Borrowed(model), |(model, _)| Cow::Owned(model));
+        let own = match form.given.parameters() {
+            0 => uncoupled(model).ok().map(|(model, _)| model),
+            _ => by_coordinates(model),
+        };
+        let own = own.filter(|_| model.is_coupled());
+        let model = own.map_or(Cow::Borrowed(model), Cow::Owned);
         Self {
             chain: model.chain(),
             model,

@@ -10,7 +10,7 @@
 //! after the other. Dependent joints, from which none follows, have to agree with those: the wrist
 //! of a palletizer, which keeps its tool level.
 
-use super::{Line, Linkage, PairRelation, cross, dot, norm, relate, size};
+use super::{Line, Linkage, PairRelation, Vec3, along, cross, dot, norm, relate, size};
 use crate::model::{Joint, JointKind, Model, Variable};
 use crate::spec::Rating;
 use kin_runtime::__private::math::wrap;
@@ -210,20 +210,9 @@ impl Combination {
 ///
 /// Which coordinate does not follow from the values of joints.
 pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
-    let mut chain = Merged {
-        same: SAME * size(model),
-        joints: Vec::new(),
-        rows: Vec::new(),
-    };
-    for joint in &model.joints {
-        chain.joints.push(joint.clone());
-        let row = Combination::of(joint, model.variables.len());
-        chain.rows.push(row);
-        while chain.merges_two() || chain.merges_three() {}
-    }
     let Merged {
         mut joints, rows, ..
-    } = chain;
+    } = Merged::of(model, |_, _| true);
     let mut variables = Vec::new();
     for (i, (joint, row)) in joints.iter_mut().zip(&rows).enumerate() {
         (joint.variable, joint.multiplier, joint.offset) = (i, 1.0, 0.0);
@@ -257,8 +246,55 @@ pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
     Ok((uncoupled, linkage))
 }
 
+/// Of an arm whose joints mimic each other the chain whose joints are the coordinates themselves, if
+/// each of these moves joints that do the same as one, and no others: the stages of a column, each of
+/// which slides along the one below. A slide with a gear is never solved for.
+pub fn by_coordinates(model: &Model) -> Option<Model> {
+    let moves_same = |a: &Combination, b: &Combination| {
+        let mut weights = a.weights.iter().zip(&b.weights);
+        weights.all(|(a, b)| (*a == 0.0) == (*b == 0.0))
+    };
+    let Merged {
+        mut joints, rows, ..
+    } = Merged::of(model, moves_same);
+    let is_own = |(i, row): (usize, &Combination)| {
+        let weights = || row.weights.iter().enumerate();
+        row.weights[i] != 0.0 && weights().all(|(k, &weight)| k == i || weight == 0.0)
+    };
+    if rows.len() != model.variables.len() || !rows.iter().enumerate().all(is_own) {
+        return None;
+    }
+    let mut home = model.home;
+    for (i, row) in rows.iter().enumerate() {
+        let weight = row.weights[i];
+        let joint = &mut joints[i];
+        if joint.is_revolute() && (weight.abs() != 1.0 || row.offset != 0.0) {
+            return None;
+        }
+        let axis = joint.axis;
+        joint.axis = axis.map(|x| weight.signum() * x + 0.0);
+        joint.gear = weight.abs();
+        joint.name.clone_from(&model.variables[i].name);
+        (joint.variable, joint.multiplier, joint.offset) = (i, 1.0, 0.0);
+        // At zero it is where its offset has it, and so is all behind.
+        let shift = |point: &mut Vec3| *point = along(*point, row.offset, axis);
+        joints[i..].iter_mut().for_each(|joint| {
+            shift(&mut joint.point);
+            shift(&mut joint.frame.translation);
+        });
+        shift(&mut home.translation);
+    }
+    Some(Model {
+        joints,
+        home,
+        ..model.clone()
+    })
+}
+
 /// A chain in which joints that do the same as one are one.
 struct Merged {
+    /// Which of these are.
+    may_be_one: fn(&Combination, &Combination) -> bool,
     /// Neighbours that differ by less are one joint, metres.
     same: f64,
     joints: Vec<Joint>,
@@ -266,6 +302,22 @@ struct Merged {
 }
 
 impl Merged {
+    fn of(model: &Model, may_be_one: fn(&Combination, &Combination) -> bool) -> Self {
+        let mut chain = Merged {
+            may_be_one,
+            same: SAME * size(model),
+            joints: Vec::new(),
+            rows: Vec::new(),
+        };
+        for joint in &model.joints {
+            chain.joints.push(joint.clone());
+            let row = Combination::of(joint, model.variables.len());
+            chain.rows.push(row);
+            while chain.merges_two() || chain.merges_three() {}
+        }
+        chain
+    }
+
     /// Makes one of the last joint and one before it if these turn about one line, as neighbours, or
     /// slide along one direction, and all joints between them turn about axes along it.
     fn merges_two(&mut self) -> bool {
@@ -282,7 +334,9 @@ impl Merged {
             return false;
         };
         let own = &before[place];
+        let [row, last_row] = [place, before.len()].map(|i| &self.rows[i]);
         let is_one = own.kind == last.kind
+            && (self.may_be_one)(row, last_row)
             && match slides {
                 true => are_parallel(own, last),
                 false => {

@@ -67,7 +67,7 @@ pub struct Linkage {
 pub struct Link {
     /// J: a rotation about z, or a translation along `direction`.
     pub kind: JointKind,
-    /// The joint's axis in its frame; z of a revolute joint.
+    /// The joint's axis in its frame, as long as a slide goes for each metre; z of a revolute joint.
     pub direction: Vec3,
     /// Which coordinate of q moves it.
     pub variable: usize,
@@ -114,6 +114,7 @@ impl Linkage {
             variable: model.variables.len(),
             multiplier: 1.0,
             offset: 0.0,
+            gear: 1.0,
         });
         Self {
             size: size(model),
@@ -361,7 +362,7 @@ impl Linkage {
         self.links[joint].kind == JointKind::Revolute
     }
 
-    /// The unit twist of a joint at home, in base coordinates.
+    /// The twist of a joint at home, in base coordinates.
     pub fn twist(&self, joint: usize) -> Twist {
         let Line { direction, point } = self.axis(joint);
         match self.links[joint].kind {
@@ -431,7 +432,10 @@ impl Linkage {
 fn link(joint: &Joint, sign: f64, turn: f64, before: Pose, after: Pose) -> Link {
     let (direction, sign) = match joint.kind {
         JointKind::Revolute => ([0.0, 0.0, 1.0], sign),
-        JointKind::Prismatic => (tidy(before.rotate_back(joint.axis), 1.0), 1.0),
+        JointKind::Prismatic => {
+            let direction = tidy(before.rotate_back(joint.axis), 1.0);
+            (direction.map(|x| joint.gear * x), 1.0)
+        }
     };
     Link {
         kind: joint.kind,

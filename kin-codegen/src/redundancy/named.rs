@@ -100,7 +100,7 @@ fn named_one(spec: &ArmSpec, model: &Model, name: &str) -> Result<usize, (String
             let reason = format!("the joint `{name}` mimics `{variable}`, and cannot stay free");
             return Err((reason, "name a joint that mimics none in `free`".into()));
         }
-        return Ok(place);
+        return Ok(model.joints[place].variable);
     }
     let (base, tip) = (&model.base, &model.tip);
     let reason = match spec.joints.iter().find(|joint| joint.name == name) {

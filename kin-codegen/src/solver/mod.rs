@@ -45,6 +45,8 @@ pub enum Coupled {
     },
     /// With joints that stay free.
     Redundant,
+    /// A slide, by name, that moves others along it, and is not among the joints that stay free.
+    Geared(String),
     /// As a chain whose joints move by themselves it is not solved.
     Unsolved(Box<NoClosedForm>),
 }

@@ -225,6 +225,7 @@ fn joint(i: usize, kind: JointKind, frame: Pose, slide: f64) -> Joint {
         variable: i,
         multiplier: 1.0,
         offset: 0.0,
+        gear: 1.0,
     }
 }
 

@@ -45,10 +45,26 @@ impl Chain {
             } else {
                 twist.angular
             };
-            assert!(
-                (norm(unit) - 1.0).abs() < 1e-9,
-                "joint {i} has no unit twist: {twist:?}"
-            );
+            assert!(is_unit(unit), "joint {i} has no unit twist: {twist:?}");
+        }
+        Chain::geared(twists, home)
+    }
+
+    /// The same whose slides go farther than their values, or less far: their twists are as long as
+    /// they go for each metre, as those of a column of two stages that move together.
+    ///
+    /// ```
+    /// use kin_runtime::{Chain, Pose, Twist};
+    /// let column = Chain::geared(vec![Twist::prismatic([0.0, 0.0, 2.0])], Pose::IDENTITY);
+    /// assert_eq!(column.fk(&[0.3]).translation, [0.0, 0.0, 0.6]);
+    /// ```
+    ///
+    /// # Panics
+    /// If a joint turns about an axis whose ω is no unit vector.
+    pub fn geared(twists: Vec<Twist>, home: Pose) -> Chain {
+        for (i, twist) in twists.iter().enumerate() {
+            let is_sound = is_prismatic(twist) || is_unit(twist.angular);
+            assert!(is_sound, "joint {i} has no unit twist: {twist:?}");
         }
         let links = twists.iter().map(|_| Pose::IDENTITY).collect();
         Chain {
@@ -202,7 +218,11 @@ impl Chain {
     }
 }
 
-/// Whether a unit twist translates without turning.
+fn is_unit(v: [f64; 3]) -> bool {
+    (norm(v) - 1.0).abs() < 1e-9
+}
+
+/// Whether a twist translates without turning.
 pub(crate) fn is_prismatic(twist: &Twist) -> bool {
     twist.angular == [0.0; 3]
 }

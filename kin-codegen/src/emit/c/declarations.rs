@@ -191,11 +191,8 @@ fn solved(compiled: &CompiledArm, form: &ClosedForm) -> Vec<String> {
 /// What the parameters are.
 fn parameters(model: &Model, redundancy: &Redundancy) -> String {
     let joints = redundancy.joints.iter().map(|&joint| {
-        let name = &model.joints[joint].name;
-        format!(
-            "the value of q[{}] (`{name}`)",
-            model.joints[joint].variable
-        )
+        let name = &model.variables[joint].name;
+        format!("the value of q[{joint}] (`{name}`)")
     });
     let turn = redundancy.turn.then(|| {
         "the turn of the tool about the tip's z axis from where the target has it, radians"

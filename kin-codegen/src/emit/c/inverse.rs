@@ -155,11 +155,7 @@ fn points(swivel: &Swivel) -> String {
 /// The values of all joints from those that are solved for and those that are given.
 fn whole(model: &Model, solver: &ClosedForm) -> String {
     let given = &solver.given;
-    let locked: Vec<usize> = given
-        .locked
-        .iter()
-        .map(|&j| model.joints[j].variable)
-        .collect();
+    let locked = &given.locked;
     let all = 0..model.variables.len();
     let solved: Vec<String> = all
         .filter(|i| !locked.contains(i))

@@ -21,9 +21,7 @@ pub fn form(compiled: &CompiledArm, solver: &ClosedForm) -> String {
     let model = &compiled.model;
     let redundancy = compiled.redundancy.as_ref();
     let accept = solver.acceptance();
-    let locked: Vec<usize> = (solver.given.locked.iter())
-        .map(|&joint| model.joints[joint].variable)
-        .collect();
+    let locked = solver.given.locked.clone();
     let solved = (0..model.variables.len()).filter(|i| !locked.contains(i));
     let places = |places: Vec<usize>| array(places.iter().map(usize::to_string));
     let swivel = redundancy.and_then(|it| it.swivel);
@@ -137,12 +135,8 @@ fn parameters(compiled: &CompiledArm) -> String {
         ])
     };
     let joints = redundancy.joints.iter().map(|&joint| {
-        let variable = model.joints[joint].variable;
-        parameter(
-            &model.joints[joint].name,
-            model.turns(variable),
-            Some(variable),
-        )
+        let name = &model.variables[joint].name;
+        parameter(name, model.turns(joint), Some(joint))
     });
     let swivel = redundancy
         .swivel

@@ -86,7 +86,7 @@ pub fn given(model: &Model, redundancy: &Redundancy, target: &str) -> Vec<String
             true => "radians",
             false => "metres",
         };
-        let name = text::code(&model.joints[joint].name);
+        let name = text::code(&model.variables[joint].name);
         format!("the value of q{} ({name}), {unit}", joint + 1)
     };
     let turn = redundancy.turn.then(|| {
