@@ -293,6 +293,9 @@ fn resolve_mimic(
 /// Every link but one of each part has exactly one parent, and none is its own ancestor.
 fn check_tree(spec: &mut ArmSpec, diagnostics: &mut Collector) {
     let mut above: Vec<Option<usize>> = vec![None; spec.links.len()];
+    let mut hangs = vec![false; spec.links.len()];
+    spec.joints.iter().for_each(|it| hangs[it.child] = true);
+    let several = hangs.iter().filter(|hangs| !**hangs).count() > 1;
     for (i, joint) in spec.joints.iter().enumerate() {
         let child = &spec.links[joint.child].name;
         if joint.parent == joint.child {
@@ -300,13 +303,24 @@ fn check_tree(spec: &mut ArmSpec, diagnostics: &mut Collector) {
             let remedy = "name the link that it moves as its child, and the one that carries it as its parent";
             diagnostics.at(joint.at, reason, remedy);
         } else if let Some(first) = above[joint.child] {
-            let first = &spec.joints[first].name;
+            let both = [&spec.joints[first], joint];
+            let [first, second] = both.map(|joint| &joint.name);
             let reason = format!(
-                "link `{child}` hangs on two joints, `{first}` and `{}`: that closes a loop, and this robot must be a tree",
-                joint.name
+                "link `{child}` hangs on two joints, `{first}` and `{second}`: that closes a loop, and this robot must be a tree",
             );
-            let remedy = "give each joint a child of its own; of a mechanism with loops, let a \
-                          <loop_joint> join the two";
+            let is_root = |joint: &&Joint| several && !hangs[joint.parent];
+            let mut turned = both.into_iter().filter(is_root);
+            let swap = match (turned.next(), turned.next()) {
+                (Some(joint), None) => format!(
+                    "swap parent and child of `{}` if it moves `{}`, which hangs on none; or ",
+                    joint.name, spec.links[joint.parent].name
+                ),
+                _ => String::new(),
+            };
+            let remedy = format!(
+                "{swap}give each joint a child of its own; of a mechanism with loops, let a \
+                 <loop_joint> join the two"
+            );
             diagnostics.at(joint.at, reason, remedy);
         } else {
             above[joint.child] = Some(i);

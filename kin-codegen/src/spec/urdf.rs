@@ -16,7 +16,7 @@ mod strict;
 mod vocabulary;
 mod xacro;
 
-use super::{Collector, Diagnostics, Source, Spec, format, tree};
+use super::{Collector, Diagnostics, Source, Spec, format, look_alike, tree};
 use roxmltree::Node;
 
 /// Reads a URDF.
@@ -143,11 +143,15 @@ fn explain_xml(error: &roxmltree::Error, source: &Source, diagnostics: &mut Coll
             "a second element stands behind the root, and XML has one root",
             "keep one <robot> in a file",
         ),
-        _ => diagnostics.at(
-            at,
-            format!("this is no well-formed XML: {}", without_place(error)),
-            "correct the XML at this place",
-        ),
+        _ => {
+            let here: String = rest_of_line(at, source).take(1).collect();
+            let remedy = look_alike::remedy(&here);
+            diagnostics.at(
+                at,
+                format!("this is no well-formed XML: {}", without_place(error)),
+                remedy.unwrap_or_else(|| "correct the XML at this place".into()),
+            );
+        }
     }
 }
 
@@ -162,10 +166,15 @@ fn rename(source: &Source) -> &'static str {
 
 /// Whether an element begins behind the end of the robot.
 fn second_root(at: super::Location, source: &Source) -> bool {
+    let mut rest = rest_of_line(at, source);
+    rest.next() == Some('<') && rest.next().is_some_and(char::is_alphabetic)
+}
+
+/// From a place on.
+fn rest_of_line(at: super::Location, source: &Source) -> impl Iterator<Item = char> {
     let mut lines = source.text.lines().skip(at.line as usize - 1);
     let line = lines.next().unwrap_or("");
-    let mut rest = line.chars().skip(at.column as usize - 1);
-    rest.next() == Some('<') && rest.next().is_some_and(char::is_alphabetic)
+    line.chars().skip(at.column as usize - 1)
 }
 
 /// The message without the "at 1:2" which ours starts with already.

@@ -27,6 +27,10 @@ pub(super) fn refuse_unknown(
     let reason = format!("unknown element <{name}> in a <{parent}>");
     if vocabulary::STRUCTURE.contains(&name) {
         diagnostics.at(at, reason, format!("move it out, next to the <{parent}>"));
+    } else if (parent, name) == ("joint", "pose") && !child.text().is_some_and(is_zero) {
+        let remedy = "write `<origin xyz=\"...\" rpy=\"...\"/>`: a pose is how SDF says that, as seen from \
+                      the child link";
+        diagnostics.at(at, reason, remedy);
     } else if let Some(meant) = suggest::nearest(name, known.iter().copied()) {
         let remedy = format!("did you mean <{meant}>?");
         match parent {
@@ -108,7 +112,9 @@ pub(super) fn check_attributes(node: Node, diagnostics: &mut Collector) {
         .attributes()
         .filter(|a| a.namespace().is_none() && !known.contains(&a.name()))
     {
-        let meant = suggest::nearest(attribute.name(), known.iter().copied());
+        let is_said = known.iter().any(|&name| node.has_attribute(name));
+        let other = vocabulary::other_word(element, attribute.name()).filter(|_| !is_said);
+        let meant = suggest::nearest(attribute.name(), known.iter().copied()).or(other);
         if meant.is_none() && vocabulary::tolerates_attributes(element) {
             continue;
         }
@@ -117,7 +123,9 @@ pub(super) fn check_attributes(node: Node, diagnostics: &mut Collector) {
         if meant.is_none() && is_zero(attribute.value()) {
             diagnostics.warn(at, reason, "remove it: it is zero, and not read");
         } else {
-            diagnostics.at(at, reason, did_you_mean(attribute.name(), known));
+            let remedy = other.map(|other| format!("write `{other}` in its place"));
+            let remedy = remedy.unwrap_or_else(|| did_you_mean(attribute.name(), known));
+            diagnostics.at(at, reason, remedy);
         }
     }
 }

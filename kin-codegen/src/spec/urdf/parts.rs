@@ -155,6 +155,11 @@ fn refuse_nested(part: Node, joint: &str, diagnostics: &mut Collector) {
     let is_part = vocabulary::KINEMATIC.contains(&name) || DYNAMICS.contains(&name);
     for inner in elements(part).filter(|_| is_part) {
         let lost = inner.tag_name().name();
+        if vocabulary::attributes(name).contains(&lost) {
+            let reason = format!("<{lost}> inside of <{name}> is not read");
+            let remedy = format!("write it as an attribute: <{name} {lost}=\"...\"/>");
+            diagnostics.at(place(inner, diagnostics), reason, remedy);
+        }
         if vocabulary::KINEMATIC.contains(&lost) {
             let reason = format!("<{lost}> inside of <{name}> is not read");
             let remedy =

@@ -104,6 +104,15 @@ pub(super) fn attributes(element: &str) -> &'static [&'static str] {
     }
 }
 
+/// The attribute that one of another format, or of the first URDF files, stands for.
+pub(super) fn other_word(element: &str, attribute: &str) -> Option<&'static str> {
+    match (element, attribute) {
+        ("limit", "min") => Some("lower"),
+        ("limit", "max") => Some("upper"),
+        _ => None,
+    }
+}
+
 /// Elements to which simulators and older URDF dialects add attributes that
 /// say nothing about geometry; only misspellings are refused there.
 pub(super) fn tolerates_attributes(element: &str) -> bool {
