@@ -472,7 +472,7 @@ fn every_robot_is_what_it_is_in_rust() {
     let next = AtomicUsize::new(0);
     let compare_rest_of_js = || {
         while let Some(subject) = subjects.get(next.fetch_add(1, Ordering::Relaxed)) {
-            compare_js(subject, 5);
+            compare_js(subject, 9);
         }
     };
     std::thread::scope(|scope| {
