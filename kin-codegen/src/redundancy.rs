@@ -5,7 +5,7 @@ mod choices;
 mod named;
 mod weighed;
 
-use crate::geometry::{Linkage, Swivel, by_coordinates, rank};
+use crate::geometry::{Linkage, Swivel, by_coordinates, coupled_rank, rank, uncoupled};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve};
@@ -60,12 +60,20 @@ impl Redundancy {
 /// How many coordinates of its targets an arm can choose at once: as many as there are independent
 /// ways in which the joints change them. One at least: joints that change nothing are refused for
 /// that, and not given one and all.
-fn coordinates(model: &Model, target: Target) -> usize {
-    if model.is_coupled() {
-        let own = by_coordinates(model);
-        return own.map_or(target.coordinates(), |own| coordinates(&own, target));
+pub(crate) fn coordinates(model: &Model, target: Target) -> usize {
+    let all = target.coordinates();
+    if !model.is_coupled() {
+        return rank(model, target).clamp(1, all);
     }
-    rank(model, target).clamp(1, target.coordinates())
+    if let Some(own) = by_coordinates(model) {
+        return coordinates(&own, target);
+    }
+    let uncoupled = uncoupled(model).ok();
+    let rank = uncoupled.and_then(|(model, linkage)| {
+        let coupling = linkage.coupling?;
+        Some(coupled_rank(&model, &coupling, target))
+    });
+    rank.unwrap_or(all).clamp(1, all)
 }
 
 /// Whether joints are given beside a target: because they are asked for, or because fewer can choose
@@ -78,7 +86,7 @@ pub fn is_redundant(model: &Model, target: Target, asked: &Asked) -> bool {
         return is_redundant(&model, target, asked);
     }
     let n = model.variables.len();
-    let turns_twice = || alike(model).any(|i| model.joints[i].is_revolute());
+    let turns_twice = || !model.is_coupled() && alike(model).any(|i| model.joints[i].is_revolute());
     asked.count() > 0
         || n > target.coordinates()
         || n > coordinates(model, target) && !turns_twice()

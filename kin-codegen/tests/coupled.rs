@@ -379,6 +379,72 @@ fn refusals_say_why() {
     assert!(said.contains(why), "{said}");
 }
 
+/// With a slide in front of its first joint.
+fn on_a_rail(text: &str) -> String {
+    let rail = "joints:\n  - {name: rail, link: carriage, rpy: [0.3, 0.2, -0.5], axis: [0, 1, 0], \
+                type: prismatic, limits: [0, 3]}\n";
+    text.replace("joints:\n", rail)
+}
+
+/// The height of the remote centre over a plane of the wrist does not depend on how the roll is turned,
+/// and where that stands at zero not on the rail either, which is along the first axis.
+#[test]
+fn a_remote_centre_on_a_rail_is_solved_by_subproblems() {
+    let text = on_a_rail(REMOTE_CENTRE).replace("rpy: [0.3, 0.2, -0.5], ", "");
+    let (source, options) = (source(&text), Options::default());
+    let compiled = compile(&source, &options).unwrap();
+    let form = compiled.arm().unwrap().form().unwrap();
+    assert_eq!(
+        form.plan.to_string(),
+        "SP4(q7) SP4(q6) slide(q4) SP2(q2,q3) SP1(q5)"
+    );
+    let model = model(&text);
+    let (chain, length) = (model.chain(), size(&model));
+    let mut random = Random(0x7a11);
+    for k in 0..100 {
+        let place = |limits: &[f64; 2]| match (k % 2, random.below(2)) {
+            (0, 0) => 0.0,
+            _ => random.between(limits[0], limits[1]),
+        };
+        let limits = model.variables.iter().map(|it| it.limits.unwrap());
+        let limits: Vec<[f64; 2]> = limits.collect();
+        let q: Vec<f64> = limits.iter().map(place).collect();
+        let pose = chain.fk(&model.joint_values(&q));
+        let solutions = form.solutions_at(&pose, &q[..1]);
+        let mut recovered = false;
+        for solution in &solutions {
+            let whole = form.whole(&solution.q, &q[..1]);
+            let reached = chain.fk(&model.joint_values(&whole));
+            assert!(
+                Target::Pose.distance(&reached, &pose, length) < 1e-9 * length,
+                "{q:?}"
+            );
+            recovered |= (0..q.len()).all(|i| model.joint_distance(i, whole[i], q[i]) < 1e-6);
+        }
+        assert!(
+            recovered || solutions.iter().any(|it| it.singular),
+            "{q:?}: {solutions:?}"
+        );
+    }
+}
+
+/// Joints to spare in front of what mimics others are left out of the chain.
+#[test]
+fn what_carries_a_coupled_arm_is_left_out() {
+    for (text, coordinates) in [(PARALLELOGRAM, 6), (PALLETIZER, 4)] {
+        let text = on_a_rail(text);
+        let said = Arm::new(&text, None).err().unwrap();
+        let help = "begin the chain behind the joints that carry it (base = \"carriage\"), and place the robot";
+        assert!(said.contains(help), "{said}");
+        let options = Options {
+            base: Some("carriage".into()),
+            ..Options::default()
+        };
+        let compiled = compile(&source(&text), &options).unwrap();
+        assert_eq!(compiled.arm().unwrap().model.variables.len(), coordinates);
+    }
+}
+
 /// Joints along and across the axes, some of which mimic others.
 fn random_arm(random: &mut Random) -> String {
     let mut text = String::from("robot: random\nunits: {angle: rad, length: m}\njoints:\n");

@@ -195,8 +195,9 @@ impl Relation {
     /// The relation between invariants, unless it says nothing. `to_solve` are configurations
     /// that a plan has to solve.
     ///
-    /// A joint that it does not depend on wherever the loop is closed is crossed as if it stood at
-    /// zero ([`crate::expr`]): what it says of the others, it has to say there.
+    /// A joint on the way around by the base that it does not depend on wherever the loop is closed is
+    /// crossed as if it stood at zero ([`crate::expr`]), where the loop is not: what it says of the
+    /// others, it has to say there. One between the invariants changes nothing, wherever it stands.
     pub fn new(
         linkage: &Linkage,
         samples: &Samples,
@@ -205,7 +206,10 @@ impl Relation {
         to: Option<&Invariant>,
     ) -> Option<Self> {
         let relation = Self::seen(linkage, samples, to_solve, from, to)?;
-        let is_crossed = |&joint: &usize| relation.depends_on(linkage, joint).is_none();
+        let inner = from.joints.end..to.map_or(from.joints.end, |to| to.joints.start);
+        let is_crossed = |joint: &usize| {
+            !inner.contains(joint) && relation.depends_on(linkage, *joint).is_none()
+        };
         let crossed: Vec<usize> = relation.between(linkage).filter(is_crossed).collect();
         if crossed.is_empty() {
             return Some(relation);
