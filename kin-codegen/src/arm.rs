@@ -39,7 +39,7 @@ pub struct CompiledArm {
     /// solutions.
     pub redundancy: Option<Redundancy>,
     /// Of which rows of the Jacobian singularities are looked for; none where they are not.
-    pub(crate) rows: Option<Target>,
+    rows: Option<Target>,
     /// Built when it is first asked for.
     singular: OnceLock<Option<Singular>>,
 }

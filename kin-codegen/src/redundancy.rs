@@ -5,7 +5,9 @@ mod choices;
 mod named;
 mod weighed;
 
-use crate::geometry::{Linkage, Swivel, by_coordinates, coupled_rank, rank, uncoupled};
+use crate::geometry::{
+    Linkage, Swivel, by_coordinates, coupled_rank, rank, uncoupled, uncoupled_behind,
+};
 use crate::model::Model;
 use crate::plan::Target;
 use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve};
@@ -108,7 +110,9 @@ pub fn solve_redundant(
     asked: &Asked,
 ) -> Result<(Certified, Redundancy), NoClosedForm> {
     if model.is_coupled() {
-        let model = by_coordinates(model).ok_or(NoClosedForm::Mimic(Coupled::Redundant))?;
+        let Some(model) = by_coordinates(model) else {
+            return solve_carried(model, target, asked);
+        };
         let linkage = Linkage::new(&model);
         let asked = with_geared(&model, target, asked)?;
         return solve_redundant(&model, &linkage, target, &asked);
@@ -118,6 +122,40 @@ pub fn solve_redundant(
         Some(found) => found,
         None => wanted.by_joints(model, linkage, &asked.joints),
     }
+}
+
+/// The same of an arm whose joints mimic others, as many in front as are to spare: these are given.
+fn solve_carried(
+    model: &Model,
+    target: Target,
+    asked: &Asked,
+) -> Result<(Certified, Redundancy), NoClosedForm> {
+    let refused = NoClosedForm::Mimic(Coupled::Redundant);
+    let count = model.variables.len() - coordinates(model, target);
+    let is_in_front = |i: &usize| *i < count;
+    if count > carrying(model) || asked.swivel.is_some() || !asked.joints.iter().all(is_in_front) {
+        return Err(refused);
+    }
+    let uncoupled = uncoupled_behind(model, count);
+    let (model, linkage) = uncoupled.map_err(|reason| NoClosedForm::Mimic(reason.into()))?;
+    let certified = solve(&model, &linkage, target)?;
+    let redundancy = Redundancy {
+        joints: (0..count).collect(),
+        swivel: None,
+        turn: false,
+        target,
+        weighed: Vec::new(),
+    };
+    Ok((certified, redundancy))
+}
+
+/// How many joints in front mimic none and are mimicked by none.
+fn carrying(model: &Model) -> usize {
+    let is_alone = |i: &usize| {
+        let others = model.joints.iter().filter(|it| it.variable == *i);
+        model.joints[*i].is_coordinate(*i) && others.count() == 1
+    };
+    (0..model.joints.len()).take_while(is_alone).count()
 }
 
 /// What is asked for, and slides that are never solved for.

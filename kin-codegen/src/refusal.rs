@@ -6,7 +6,6 @@ use crate::geometry::{Undetermined, rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
-use crate::redundancy;
 use crate::solver::{Coupled, Lack, NoClosedForm};
 use crate::spec::{Diagnostic, Source, list_names, one_line};
 use std::fmt;
@@ -36,15 +35,7 @@ impl Refusal {
     pub fn diagnostic(&self) -> Diagnostic {
         let noisy = "write right angles and half turns with all their digits (1.5707963267948966), or \
                      leave out `target`; `ik = none` generates forward kinematics and Jacobians alone";
-        let carried = self.behind_what_carries();
         let remedy = match &self.reason {
-            Reason::Arm(NoClosedForm::Mimic(Coupled::Redundant)) if let Some(link) = &carried => {
-                &format!(
-                    "begin the chain behind the joints that carry it (base = \"{link}\"), and place the robot \
-                     where these have put that link; `ik = none` generates forward kinematics and \
-                     Jacobians alone"
-                )
-            }
             Reason::Arm(NoClosedForm::Singular { .. }) => {
                 "check axes and origins; a joint that repeats another must be fixed, left out of \
                  the chain by another base or tip, or stay free (`free`). `ik = none` generates \
@@ -123,22 +114,6 @@ impl Refusal {
         };
         let arm = self.robot.arm().filter(|arm| !arm.model.is_coupled());
         arm.is_some_and(|arm| rank(&arm.model, *target) == 0)
-    }
-
-    /// The link behind joints in front that mimic none and that none mimics, if that leaves as many
-    /// coordinates as targets have, and joints that mimic others.
-    fn behind_what_carries(&self) -> Option<String> {
-        let arm = self.robot.arm()?;
-        let joints = &arm.model.joints;
-        let is_alone = |joint: &&Joint| {
-            let others = joints.iter().filter(|it| it.variable == joint.variable);
-            others.count() == 1
-        };
-        let coordinates = redundancy::coordinates(&arm.model, arm.rows?);
-        let carrying = joints.iter().take_while(is_alone).count();
-        let spare = arm.model.variables.len().checked_sub(coordinates)?;
-        let last = spare.checked_sub(1).filter(|_| spare <= carrying)?;
-        Some(joints[last].link.clone())
     }
 
     /// Whether the turn of the tool could be given in place of one of the joints that are.
@@ -289,7 +264,9 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
                  counted: this has {joints}"
             )
         }
-        Coupled::Redundant => ", and of joints to spare none can stay free then".into(),
+        Coupled::Redundant => ", and of joints to spare only those in front of all that mimic others or are mimicked can \
+             stay free then"
+                .into(),
         Coupled::Geared(name) => {
             format!(
                 ", and `{name}`, which others slide along with, has to be one of those that stay free"

@@ -372,11 +372,38 @@ fn refusals_say_why() {
         "{said}"
     );
     let said = refused(&snake);
-    let why = "none can stay free then";
+    let why = "of joints to spare only those in front of all that mimic others or are mimicked can stay free";
     assert!(said.contains(why), "{said}");
     let said = refused(&snake[..6]);
     let why = "as a chain whose joints move by themselves, no sequence of the subproblems";
     assert!(said.contains(why), "{said}");
+}
+
+/// How high the tip is over the plane across one of its axes tells a joint by the fifth digit of the
+/// angle between them, and next to where that is stationary not at all: distances tell it.
+#[test]
+fn a_finger_of_axes_that_are_nearly_parallel_has_all_its_solutions() {
+    let arm = Arm::new(
+        "robot: finger\nunits: {angle: rad, length: m}\njoints:\n  \
+         - {name: knuckle, xyz: [-0.1, 0.03, 0], rpy: [-0.087, -0.01, -0.118], axis: [0, 1, 0], limits: [-1, 0.3]}\n  \
+         - {name: middle, xyz: [-0.03, 0, -0.012], rpy: [-0.00002, 0, 0], axis: [0, 1, 0], \
+         mimic: {joint: knuckle, multiplier: 1.15, offset: 0.002}}\n\
+         tip: {link: tip, xyz: [-0.018, 0, -0.031]}\n",
+        Some(Target::Position),
+    )
+    .unwrap();
+    for k in 0..=2000 {
+        let q = -1.0 + 1.3 * f64::from(k) / 2000.0;
+        let mut pose = arm.fk(&[q]);
+        for digits in [0.0, 1e-12] {
+            pose.translation[k as usize % 3] += digits;
+            let found = arm.form().solutions(&pose);
+            assert!(
+                found.iter().any(|it| (it.q[0] - q).abs() < 1e-9),
+                "{q}: {found:?}"
+            );
+        }
+    }
 }
 
 /// With a slide in front of its first joint.
@@ -428,20 +455,39 @@ fn a_remote_centre_on_a_rail_is_solved_by_subproblems() {
     }
 }
 
-/// Joints to spare in front of what mimics others are left out of the chain.
+/// What carries an arm is given, and the rest is coupled as it is without.
 #[test]
-fn what_carries_a_coupled_arm_is_left_out() {
-    for (text, coordinates) in [(PARALLELOGRAM, 6), (PALLETIZER, 4)] {
+fn what_carries_a_coupled_arm_is_given() {
+    for (text, own) in [(PARALLELOGRAM, 8), (PALLETIZER, 4)] {
         let text = on_a_rail(text);
-        let said = Arm::new(&text, None).err().unwrap();
-        let help = "begin the chain behind the joints that carry it (base = \"carriage\"), and place the robot";
-        assert!(said.contains(help), "{said}");
-        let options = Options {
-            base: Some("carriage".into()),
-            ..Options::default()
-        };
-        let compiled = compile(&source(&text), &options).unwrap();
-        assert_eq!(compiled.arm().unwrap().model.variables.len(), coordinates);
+        let compiled = compile(&source(&text), &Options::default()).unwrap();
+        let arm = compiled.arm().unwrap();
+        assert_eq!(arm.free_joints(), ["rail"]);
+        let form = arm.form().unwrap();
+        assert_eq!(form.plan.branches(), own);
+        let (model, chain) = (&arm.model, arm.model.chain());
+        let length = size(model);
+        let mut random = Random(0x0ca2_21ed);
+        for k in 0..200 {
+            let place = |limits: [f64; 2]| match (k % 2, random.below(2)) {
+                (0, 0) => [0.0, FRAC_PI_2, -FRAC_PI_2][random.below(3)].clamp(limits[0], limits[1]),
+                _ => random.between(limits[0], limits[1]),
+            };
+            let limits = model.variables.iter().map(|it| it.limits.unwrap());
+            let q: Vec<f64> = limits.map(place).collect();
+            let pose = chain.fk(&model.joint_values(&q));
+            let solutions = form.solutions_at(&pose, &q[..1]);
+            let mut recovered = false;
+            for solution in &solutions {
+                let whole = form.whole(&solution.q, &q[..1]);
+                let reached = chain.fk(&model.joint_values(&whole));
+                let miss = Target::Pose.distance(&reached, &pose, length);
+                assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
+                recovered |= (0..q.len()).all(|i| model.joint_distance(i, whole[i], q[i]) < 1e-6);
+            }
+            let is_singular = solutions.iter().any(|it| it.singular);
+            assert!(recovered || is_singular, "{q:?}: {solutions:?}");
+        }
     }
 }
 

@@ -46,6 +46,7 @@ const BY_DEFAULT: &[&str] = &[
     "robots/ur5e.urdf",
     "tests/robots/coupled/finger.yaml",
     "tests/robots/coupled/palletizer.yaml",
+    "tests/robots/coupled/palletizer_on_rail.yaml",
     "tests/robots/coupled/parallelogram.yaml",
     "tests/robots/coupled/rack.yaml",
     "tests/robots/coupled/remote_centre.yaml",

@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 use std::path::Path;
 
 kinematics!("robots/redundant/column.yaml");
+kinematics!("robots/coupled/palletizer_on_rail.yaml");
 
 /// The UR5e on a rail with other stops, millimetres.
 fn rail(stops: &str) -> Robot {
@@ -210,6 +211,41 @@ tip: tool0
         assert_eq!(solutions.len(), 2, "{q:?}");
         let is_among = solutions.iter().any(|it| apart(it.q, &q) < 1e-9);
         assert!(is_among, "{q:?}: {solutions:?}");
+    }
+}
+
+/// Its joints mimic others, and what carries them is given.
+#[test]
+fn a_palletizer_on_a_rail_has_all_its_solutions() {
+    let arm = PalletizerOnRail;
+    assert_eq!(PalletizerOnRail::PARAMETER, Parameter::Joint(0));
+    let path = "robots/coupled/palletizer_on_rail.yaml";
+    let source = RobotSource::read(path, Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let loaded = Robot::load(&source, &RobotOptions::default()).unwrap();
+    let mut random = Random::new(404);
+    for k in 0..200 {
+        let q: [f64; 5] = std::array::from_fn(|i| {
+            let limit = &PalletizerOnRail::LIMITS[i];
+            random.between(limit.lower(), limit.upper())
+        });
+        let pose = arm.fk(&q);
+        assert!(pose.translation_distance(&loaded.fk(&q)) < 1e-14);
+        let found = arm.ik_at(&pose, q[0]);
+        let wanted = loaded.ik_at(&pose, &[q[0]]);
+        assert_eq!(found.len(), wanted.len(), "{q:?}");
+        for (found, wanted) in found.iter().zip(wanted.iter()) {
+            assert!(apart(&found.q, wanted.q) < 1e-12, "{q:?}");
+            assert!(pose.translation_distance(&arm.fk(&found.q)) < 1e-12);
+            assert!(pose.rotation_distance(&arm.fk(&found.q)) < 1e-12);
+        }
+        let is_among = found.iter().any(|it| apart(&it.q, &q) < 1e-9);
+        assert!(is_among, "{q:?}: {found:?}");
+        if k % 20 == 0 {
+            let intervals = arm.feasible(&pose);
+            assert!(intervals.iter().any(|it| it.contains(q[0])), "{q:?}");
+            let best = arm.ik_best(&pose, &Criterion::Nearest(q)).unwrap();
+            assert!(apart(&best, &q) < 1e-6, "{q:?}: {best:?}");
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use super::draw::Ranges;
 use kin_codegen::Scalar;
 use kin_codegen::certificate::{Failure, recovered};
 use kin_codegen::closed_form::{BranchSolution, ClosedForm};
-use kin_codegen::geometry::{SINGULAR, by_coordinates, size, uncoupled};
+use kin_codegen::geometry::{SINGULAR, size, solved_chain};
 use kin_codegen::model::Model;
 use kin_runtime::{Chain, Parameter, Pose};
 use std::borrow::Cow;
@@ -50,12 +50,9 @@ impl<'a> Case<'a> {
         let size = size(model);
         let ranges = Ranges::new(model, size);
         // Of an arm that is solved its coordinates follow from the joints.
-        let own = match form.given.parameters() {
-            0 => uncoupled(model).ok().map(|(model, _)| model),
-            _ => by_coordinates(model),
-        };
-        let own = own.filter(|_| model.is_coupled());
-        let model = own.map_or(Cow::Borrowed(model), Cow::Owned);
+        let given = Some(form.given.locked.len()).filter(|given| *given > 0);
+        let own = solved_chain(model, given).filter(|_| model.is_coupled());
+        let model = own.map_or(Cow::Borrowed(model), |(own, _)| Cow::Owned(own));
         Self {
             chain: model.chain(),
             model,
@@ -110,7 +107,7 @@ impl<'a> Case<'a> {
 
     /// The tip of a configuration, in double precision.
     pub(super) fn fk(&self, q: &[f64]) -> Pose {
-        self.chain.fk(&self.form.given.joints_at(q))
+        self.chain.fk(&self.form.joints(q))
     }
 
     /// The chain of the joints that targets are solved for, and their values.
@@ -159,10 +156,12 @@ impl<'a> Case<'a> {
         solutions: &[BranchSolution],
         conditioning: f64,
     ) -> bool {
-        let given = &self.form.given;
-        let by_joints = |solution: &BranchSolution| solution.by_joints(given);
+        let by_joints = |solution: &BranchSolution| BranchSolution {
+            q: self.form.joints(&solution.q),
+            ..solution.clone()
+        };
         let solutions: Vec<BranchSolution> = solutions.iter().map(by_joints).collect();
-        let outcome = recovered(&self.model, &given.joints_at(q), &solutions, conditioning);
+        let outcome = recovered(&self.model, &self.form.joints(q), &solutions, conditioning);
         !matches!(outcome, Err(Failure::Lost(_)))
     }
 

@@ -102,7 +102,8 @@ pub(super) fn search(case: &Case, outcome: &Outcome) -> Vec<ChainSolution> {
 fn by_coordinates(case: &Case, found: ChainSolution) -> ChainSolution {
     match &case.form.given.coupling {
         Some(coupling) => {
-            let q = coupling.coordinates(&found.q);
+            let (parameters, joints) = case.form.split(&found.q);
+            let q = case.form.whole(&coupling.coordinates(&joints), &parameters);
             ChainSolution {
                 conditioning: case.conditioning(&q),
                 q,
@@ -130,7 +131,7 @@ fn is_confirmed(
 ) -> bool {
     let given = case.given(&outcome.q);
     let options = options(case, &given);
-    let start = case.form.given.joints_at(&solution.q);
+    let start = case.form.joints(&solution.q);
     let target = case.fk(&outcome.q);
     let landed = case.chain.ik_from(&target, &options, &start);
     let landed = landed.map(|landed| by_coordinates(case, landed));

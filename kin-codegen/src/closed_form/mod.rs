@@ -361,6 +361,18 @@ impl ClosedForm {
         (parameters, values(solved))
     }
 
+    /// The values of all joints that are solved for or given, from all coordinates of q.
+    pub fn joints(&self, q: &[f64]) -> Vec<f64> {
+        let (parameters, solved) = self.split(q);
+        self.whole(&self.given.joints_at(&solved), &parameters)
+    }
+
+    /// All coordinates of q, from the values of these joints.
+    pub fn coordinates(&self, joints: &[f64]) -> Vec<f64> {
+        let (parameters, solved) = self.split(joints);
+        self.whole(&self.given.coordinates_at(solved), &parameters)
+    }
+
     /// The plan as expressions, if it is run by them.
     pub fn expressions(&self) -> Option<&InverseGraph> {
         match &self.inverse {

@@ -129,14 +129,13 @@ fn seen(solver: &ClosedForm, arm: &PostureArm, candidates: &[Candidate]) -> Vec<
     let tolerance = solver.acceptance().tolerance;
     let mut seen = Vec::new();
     for _ in 0..SAMPLES {
-        let linkage = &solver.linkage;
-        let anywhere = linkage.coordinates_at(arm.anywhere(&mut random));
-        let target = arm.chain.fk(&linkage.joints_at(&anywhere));
+        let anywhere = solver.coordinates(&arm.anywhere(&mut random));
+        let target = arm.chain.fk(&solver.joints(&anywhere));
         let (parameters, _) = solver.split(&anywhere);
         for solution in solver.branches_at(&target, &parameters) {
             if solution.residual <= tolerance && !solution.singular {
                 let q = solver.whole(&solution.q, &parameters);
-                let at = arm.at(&linkage.joints_at(&q));
+                let at = arm.at(&solver.joints(&q));
                 let sign = |candidate: &Candidate| (candidate.value)(arm, &at).and_then(sign);
                 seen.push(Seen {
                     branch: solution.branch,

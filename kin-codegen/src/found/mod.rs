@@ -11,7 +11,7 @@ use crate::certificate::Certificate;
 use crate::closed_form::{ClosedForm, Reading, Refinement};
 use crate::expr::Multiplicative;
 use crate::expr::inverse::FreeJoints;
-use crate::geometry::{Linkage, by_coordinates, idealize, uncoupled};
+use crate::geometry::{Linkage, idealize, solved_chain};
 use crate::model::Model;
 use crate::plan::{Plan, Step, Subproblem};
 use crate::redundancy::Redundancy;
@@ -67,10 +67,8 @@ impl Found {
     /// expressions than were certified, because it was changed since.
     pub fn built(&self, model: &Model, linkage: &Linkage) -> Option<Certified> {
         if model.is_coupled() {
-            let (model, linkage) = match &self.redundancy {
-                Some(_) => by_coordinates(model).map(|it| (it.clone(), Linkage::new(&it)))?,
-                None => uncoupled(model).ok()?,
-            };
+            let given = self.redundancy.as_ref().map(|it| it.joints.len());
+            let (model, linkage) = solved_chain(model, given)?;
             return self.built(&model, &linkage);
         }
         let given = match &self.redundancy {

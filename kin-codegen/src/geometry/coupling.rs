@@ -15,7 +15,6 @@ use crate::model::{Joint, JointKind, Model, Variable};
 use crate::spec::Rating;
 use kin_runtime::__private::math::wrap;
 use std::f64::consts::TAU;
-use std::fmt;
 
 /// Neighbours that differ by more are not one joint: radians, and relative to the arm's size.
 const SAME: f64 = 1e-11;
@@ -23,11 +22,14 @@ const SAME: f64 = 1e-11;
 /// angle.
 const ROUNDING: f64 = 1e-9;
 
-/// How the joints of a chain depend on the coordinates of q.
+/// How the joints of a chain depend on the coordinates of q; both are those behind what is given in
+/// front.
 #[derive(Clone, Debug)]
 pub struct Coupling {
     /// The frames of all joints that the file has.
     pub whole: Box<Linkage>,
+    /// How many joints in front are given, which are coordinates themselves.
+    pub given: usize,
     /// By joint.
     pub rows: Vec<Combination>,
     /// The coordinates by the values of joints, in an order in which each needs those before it
@@ -117,11 +119,13 @@ impl Coupling {
 
     /// What the joints are that plans speak of.
     pub fn sentence(&self) -> String {
-        let rows: Vec<String> = self.rows.iter().map(Combination::to_string).collect();
+        let row = |row: &Combination| row.text(self.given);
+        let rows: Vec<String> = self.rows.iter().map(row).collect();
         format!(
             "Solved as a chain whose joints move by themselves, those that do the same as one being \
-             one: in the plan q1 to q{} are {} of this arm.",
-            rows.len(),
+             one: in the plan q{} to q{} are {} of this arm.",
+            self.given + 1,
+            self.given + rows.len(),
             rows.join(", ")
         )
     }
@@ -132,10 +136,11 @@ impl Coupling {
     }
 }
 
-impl fmt::Display for Combination {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Combination {
+    /// With so many coordinates in front.
+    fn text(&self, given: usize) -> String {
         let parts = self.weights.iter().enumerate().map(|(i, &weight)| {
-            let q = format!("q{}", i + 1);
+            let q = format!("q{}", given + i + 1);
             match weight.abs() {
                 1.0 => (weight, q),
                 times => (weight, format!("{times} {q}")),
@@ -143,20 +148,18 @@ impl fmt::Display for Combination {
         });
         let offset = (self.offset, self.offset.abs().to_string());
         let all = parts.chain([offset]).filter(|(value, _)| *value != 0.0);
-        for (i, (value, text)) in all.enumerate() {
-            match (i, value < 0.0) {
-                (0, false) => {}
-                (0, true) => f.write_str("−")?,
-                (_, false) => f.write_str(" + ")?,
-                (_, true) => f.write_str(" − ")?,
-            }
-            f.write_str(&text)?;
-        }
-        Ok(())
+        let signed = all.enumerate().map(|(i, (value, text))| {
+            let sign = match (i, value < 0.0) {
+                (0, false) => "",
+                (0, true) => "−",
+                (_, false) => " + ",
+                (_, true) => " − ",
+            };
+            format!("{sign}{text}")
+        });
+        signed.collect()
     }
-}
 
-impl Combination {
     /// Of a joint of the file.
     fn of(joint: &Joint, coordinates: usize) -> Self {
         let mut weights = vec![0.0; coordinates];
@@ -230,6 +233,7 @@ pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
     let limits = limits.collect();
     let coupling = Coupling {
         whole: Box::new(Linkage::new(model)),
+        given: 0,
         inverse: inverse(model, &joints, &rows)?,
         rows,
         limits,
@@ -244,6 +248,39 @@ pub fn uncoupled(model: &Model) -> Result<(Model, Linkage), Undetermined> {
     let coupling = Some(coupling).filter(|coupling| !coupling.is_none());
     let linkage = Linkage::new(&uncoupled).with_coupling(coupling);
     Ok((uncoupled, linkage))
+}
+
+/// The same of an arm whose first joints are given, which are coordinates themselves and move nothing
+/// else: they are locked.
+///
+/// # Errors
+///
+/// Which coordinate behind them does not follow from the values of joints.
+pub fn uncoupled_behind(model: &Model, given: usize) -> Result<(Model, Linkage), Undetermined> {
+    let (front, behind) = model.joints.split_at(given);
+    let mut rest = Model {
+        joints: behind.to_vec(),
+        variables: model.variables[given..].to_vec(),
+        frames: Vec::new(),
+        ..model.clone()
+    };
+    rest.joints.iter_mut().for_each(|it| it.variable -= given);
+    let (mut rest, linkage) = uncoupled(&rest)?;
+    rest.joints.iter_mut().for_each(|it| it.variable += given);
+    let uncoupled = Model {
+        joints: [front, &rest.joints].concat(),
+        variables: [&model.variables[..given], &rest.variables].concat(),
+        ..rest
+    };
+    let locked: Vec<usize> = (0..given).collect();
+    let whole = Linkage::new(model).with_locked(&locked);
+    let coupling = linkage.coupling.map(|coupling| Coupling {
+        whole: Box::new(whole),
+        given,
+        ..coupling
+    });
+    let linkage = Linkage::new(&uncoupled).with_locked(&locked);
+    Ok((uncoupled, linkage.with_coupling(coupling)))
 }
 
 /// Of an arm whose joints mimic each other the chain whose joints are the coordinates themselves, if
@@ -289,6 +326,19 @@ pub fn by_coordinates(model: &Model) -> Option<Model> {
         home,
         ..model.clone()
     })
+}
+
+/// The chain that a closed form of an arm whose joints mimic each other is for, with so many joints
+/// given if any are.
+pub fn solved_chain(model: &Model, given: Option<usize>) -> Option<(Model, Linkage)> {
+    let Some(given) = given else {
+        return uncoupled(model).ok();
+    };
+    if let Some(own) = by_coordinates(model) {
+        let linkage = Linkage::new(&own);
+        return Some((own, linkage));
+    }
+    uncoupled_behind(model, given).ok()
 }
 
 /// A chain in which joints that do the same as one are one.

@@ -57,8 +57,8 @@ pub struct Linkage {
     pub locked: Vec<usize>,
     /// The swivel, where its angle comes with the target; behind the values of locked joints.
     pub swivel: Option<Swivel>,
-    /// How the joints depend on the coordinates of q where these are not the same: of such an arm
-    /// none is locked.
+    /// How the joints that are not locked depend on the coordinates of q where these are not the same:
+    /// of such an arm joints are locked in front alone.
     pub coupling: Option<Coupling>,
 }
 
@@ -183,8 +183,7 @@ impl Linkage {
         }
     }
 
-    /// The same with the values of some joints, ascending, known from the start. Of an
-    /// arm whose joints mimic none.
+    /// The same with the values of some joints, ascending, known from the start.
     pub fn with_locked(self, locked: &[usize]) -> Self {
         Self {
             locked: locked.to_vec(),
@@ -241,8 +240,8 @@ impl Linkage {
 
     /// The coordinates of q that a target is solved for.
     pub fn solved_variables(&self) -> Vec<usize> {
-        if self.coupling.is_some() {
-            return (0..self.variables()).collect();
+        if let Some(coupling) = &self.coupling {
+            return (coupling.given..coupling.given + self.variables()).collect();
         }
         let solved = (0..self.links.len()).filter(|&joint| self.coordinate(joint).is_some());
         let mut variables: Vec<usize> = solved.map(|j| self.links[j].variable).collect();
@@ -255,7 +254,7 @@ impl Linkage {
     /// locked, or the free turn, or coupled to others.
     pub fn coordinate(&self, joint: usize) -> Option<usize> {
         if let Some(coupling) = &self.coupling {
-            return coupling.coordinate(joint);
+            return coupling.coordinate(joint.checked_sub(coupling.given)?);
         }
         let before = self.locked.iter().filter(|&&locked| locked < joint).count();
         let coordinate = self.links[joint].variable.checked_sub(before);
@@ -408,7 +407,8 @@ impl Linkage {
 
     /// How a joint depends on the coordinates of a coupled chain.
     pub fn row(&self, joint: usize) -> Option<&Combination> {
-        self.coupling.as_ref()?.rows.get(joint)
+        let coupling = self.coupling.as_ref()?;
+        coupling.rows.get(joint.checked_sub(coupling.given)?)
     }
 
     /// Those of all joints.

@@ -17,7 +17,10 @@ pub use carried::Carried;
 pub use conditioning::{
     SINGULAR, conditioning, coupled_rank, natural_target, rank, volume, weak_motion,
 };
-pub use coupling::{Combination, Coupling, InverseRow, Undetermined, by_coordinates, uncoupled};
+pub use coupling::{
+    Combination, Coupling, InverseRow, Undetermined, by_coordinates, solved_chain, uncoupled,
+    uncoupled_behind,
+};
 pub use idealize::{Idealized, Moved, idealize};
 pub(crate) use idealize::{NOISIEST, idealizations};
 pub(crate) use linkage::without_noise;

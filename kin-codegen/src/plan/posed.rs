@@ -14,6 +14,11 @@ pub(super) const MAY_DEGENERATE: u32 = 60;
 /// A line sweeps a hyperboloid about an axis where the cosine between them is
 /// larger, and otherwise a plane with a hole, of which other relations know.
 const ALONG: f64 = 1e-3;
+/// Relations with a weaker dependence on an unknown are those of axes that are parallel, or of points
+/// on an axis, but for a few digits: as many of the unknown are lost, and next to where they are
+/// stationary all of them. They cost twice what one does that may
+/// degenerate.
+const FAINT: f64 = 1e-3;
 /// Relations whose dependence on an unknown is weaker than this cannot
 /// determine it.
 const WEAK: f64 = 1e-6;
@@ -53,12 +58,15 @@ pub(super) struct Candidate {
     pub work: u32,
     /// Whether it degenerates nowhere, or everywhere: what it depends on does not move.
     pub steady: bool,
+    /// Whether it tells an unknown by few digits.
+    faint: bool,
 }
 
 impl Candidate {
     /// What a search pays for it.
     pub fn cost(&self) -> u32 {
-        self.work + if self.steady { 0 } else { MAY_DEGENERATE }
+        let degenerate = u32::from(!self.steady) + 2 * u32::from(self.faint);
+        self.work + degenerate * MAY_DEGENERATE
     }
 }
 
@@ -155,6 +163,7 @@ impl<'a> Posing<'a> {
             weak_at: unknown.iter().fold(parallel, |bits, d| bits | d.weak_at),
             work: work + 9 * known,
             steady,
+            faint: unknown.iter().any(|d| d.weakest < FAINT),
         };
         Some(((subproblem, unknowns), candidate))
     }
@@ -216,6 +225,7 @@ impl<'a> Posing<'a> {
             ),
             work: 300 + 9 * known,
             steady: independence.steady,
+            faint: false,
         };
         Some(((Subproblem::Sp6, unknowns.to_vec()), candidate))
     }

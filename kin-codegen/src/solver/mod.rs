@@ -43,7 +43,7 @@ pub enum Coupled {
         /// What of targets counts.
         target: Target,
     },
-    /// With joints that stay free.
+    /// With joints that stay free, but for those in front of all that mimic or are mimicked.
     Redundant,
     /// A slide, by name, that moves others along it, and is not among the joints that stay free.
     Geared(String),
@@ -297,13 +297,11 @@ fn tilted(model: &Model, beyond: f64) -> Option<(&Joint, f64)> {
 /// locked.
 fn rank_without(model: &Model, linkage: &Linkage, target: Target) -> usize {
     let locked = &linkage.locked;
+    let held = (!locked.is_empty()).then(|| model.locked(locked, &vec![SOMEWHERE; locked.len()]));
+    let held = held.as_ref().unwrap_or(model);
     match &linkage.coupling {
-        Some(coupling) => coupled_rank(model, coupling, target),
-        None if locked.is_empty() => rank(model, target),
-        None => {
-            let held = model.locked(locked, &vec![SOMEWHERE; locked.len()]);
-            rank(&held, target)
-        }
+        Some(coupling) => coupled_rank(held, coupling, target),
+        None => rank(held, target),
     }
 }
 

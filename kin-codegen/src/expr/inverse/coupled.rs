@@ -12,7 +12,7 @@ impl Writer<'_> {
         let mut q = vec![self.g.zero(); coupling.limits.len()];
         for inverse in &coupling.inverse {
             let (row, coordinate) = (&coupling.rows[inverse.joint], inverse.coordinate);
-            let value = self.joint_value(inverse.joint);
+            let value = self.joint_value(coupling.given + inverse.joint);
             // Those that are not known yet have no weight.
             let about = self.g.constant(inverse.about.unwrap_or(0.0));
             q[coordinate] = about;
@@ -31,7 +31,9 @@ impl Writer<'_> {
             };
             let beside = self.scaled(1.0 / weight.abs(), within);
             let own = self.g.add(about, beside);
-            q[coordinate] = self.g.named(own, format!("q{}", coordinate + 1));
+            q[coordinate] = self
+                .g
+                .named(own, format!("q{}", coupling.given + coordinate + 1));
         }
         q
     }
@@ -51,10 +53,10 @@ impl Writer<'_> {
         }
         let q = self.coordinates(coupling);
         for joint in dependent {
-            let found = self.joint_value(joint);
+            let found = self.joint_value(coupling.given + joint);
             let wanted = forward::combination(&mut self.g, &coupling.rows[joint], &q);
             let mut apart = self.g.sub(found, wanted);
-            if linkage.is_revolute(joint) {
+            if linkage.is_revolute(coupling.given + joint) {
                 apart = self.g.wrap(apart);
                 apart = self.scaled(2.0 * linkage.size, apart);
             }
