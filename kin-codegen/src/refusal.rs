@@ -261,7 +261,7 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
             let coordinates = target.coordinates();
             format!(
                 ", and such chains are solved of up to {coordinates} joints, those that mimic others \
-                 counted: this has {joints}"
+                 counted, and those that do the same once: this has {joints}"
             )
         }
         Coupled::Redundant => ", and of joints to spare only those in front of all that mimic others or are mimicked can \

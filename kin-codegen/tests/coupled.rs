@@ -302,14 +302,14 @@ fn a_remote_centre_is_one_joint() {
     let tilted = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1, offset: 10");
     let said = Arm::new(&tilted, None).err().unwrap();
     assert!(
-        said.contains("of up to 6 joints, those that mimic others counted: this has 8"),
+        said.contains("of up to 6 joints, those that mimic others counted, and those that do the same once: this has 8"),
         "{said}"
     );
     // Of other angles three are no one.
     let other = REMOTE_CENTRE.replace("multiplier: -1", "multiplier: -1.5");
     let said = Arm::new(&other, None).err().unwrap();
     assert!(
-        said.contains("of up to 6 joints, those that mimic others counted: this has 8"),
+        said.contains("of up to 6 joints, those that mimic others counted, and those that do the same once: this has 8"),
         "{said}"
     );
 }
@@ -364,8 +364,7 @@ fn refusals_say_why() {
         "name: eight, xyz: [0, 1, 0], axis: [1, 0, 0], limits: [-90, 90]",
     ];
     let said = refused(&snake[..7]);
-    let why =
-        "such chains are solved of up to 6 joints, those that mimic others counted: this has 7";
+    let why = "such chains are solved of up to 6 joints, those that mimic others counted, and those that do the same once: this has 7";
     assert!(said.contains(why), "{said}");
     assert!(
         said.contains("in front of the joints that mimic others"),

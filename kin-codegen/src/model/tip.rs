@@ -93,6 +93,16 @@ const HAND: usize = 3;
 const WHOLE_HAND: usize = 5;
 /// and are no more.
 const TENDON_JOINTS: usize = 7;
+/// A joint of such a name, or that moves a link of such a name, is a limb's, and no finger's.
+const LIMBS: [&str; 7] = [
+    "shoulder",
+    "elbow",
+    "forearm",
+    "upper_arm",
+    "upperarm",
+    "thigh",
+    "knee",
+];
 /// Of a robot with more ends than this no arm is the one that is meant.
 const MOST_ENDS: usize = 100;
 /// An arm that carries fingers, or is the only one beside wheels, has no fewer joints.
@@ -316,8 +326,23 @@ impl Below<'_> {
             _ => FINGER_JOINTS,
         };
         let most = most.min(arm);
-        let fingers = ends.iter().all(|end| end.len() - arm <= most);
+        let fingers = ends.iter().all(|end| {
+            end.len() - arm <= most && !end[arm..].iter().any(|&j| self.is_called(j, &LIMBS))
+        });
         (arm >= ARM_JOINTS && fingers).then_some(arm)
+    }
+
+    /// How many joints of one of several lines are the arm's: all, where what it is without its fingers
+    /// is shorter than an arm and other lines go on from there, as those of a hand beside its thumb.
+    fn own_joints(&self, end: &[usize], ends: &[Vec<usize>]) -> usize {
+        let arm = self.without_fingers(end);
+        let goes_on = |other: &Vec<usize>| {
+            other.starts_with(&end[..arm]) && self.without_fingers(other) > arm
+        };
+        match arm < ARM_JOINTS && ends.iter().any(goes_on) {
+            true => end.len(),
+            false => arm,
+        }
     }
 
     /// The arms among lines of moving joints, each once, those of most joints first, and wheels
@@ -336,7 +361,7 @@ impl Below<'_> {
                 .take_while(|group| group.len() > 1)
                 .filter_map(|group| Some((group, self.hand(group)?)))
                 .next();
-            let (group, arm) = hand.unwrap_or_else(|| (&rest[..1], self.without_fingers(first)));
+            let (group, arm) = hand.unwrap_or_else(|| (&rest[..1], self.own_joints(first, ends)));
             let (base, joints) = self.standing(base, &first[..arm]);
             let fingers = fingers(group, arm);
             // Lines may differ in their fingers alone.
@@ -394,13 +419,16 @@ impl Below<'_> {
 
     /// Whether a limb ends with a wheel, by name.
     fn is_wheel(&self, limb: &Limb) -> bool {
-        limb.joints.last().is_some_and(|&last| {
-            let joint = &self.spec.joints[last];
-            let names = [&joint.name, &self.spec.links[joint.child].name];
-            names
-                .iter()
-                .any(|name| has_any(&name.to_lowercase(), &WHEELS))
-        })
+        let last = limb.joints.last();
+        last.is_some_and(|&last| self.is_called(last, &WHEELS))
+    }
+
+    /// Whether a joint, or the link that it moves, has a name with one of these words in it.
+    fn is_called(&self, joint: usize, words: &[&str]) -> bool {
+        let joint = &self.spec.joints[joint];
+        let names = [&joint.name, &self.spec.links[joint.child].name];
+        let mut names = names.iter().map(|name| name.to_lowercase());
+        names.any(|name| has_any(&name, words))
     }
 
     /// The link that an arm ends with: what its last joint moves, or what carries the fingers.
