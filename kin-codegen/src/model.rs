@@ -7,6 +7,7 @@ mod frames;
 mod limits;
 mod locked;
 mod mimic;
+mod rounded;
 mod tip;
 mod tool;
 
@@ -308,6 +309,7 @@ fn build(
     }
     check_motions(spec, &chain, diagnostics);
     check_size(spec, &chain, diagnostics);
+    rounded::check(spec, &chain, diagnostics);
     limits::check(spec, &chain, diagnostics);
     let drives = mimic::resolve(spec, &chain.joints, diagnostics)?;
     let variables = limits::variables(spec, &drives, diagnostics);

@@ -10,7 +10,7 @@ use crate::geometry::{
 };
 use crate::model::Model;
 use crate::plan::Target;
-use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve};
+use crate::solver::{Certified, Coupled, NoClosedForm, alike, solve, solve_uncoupled};
 use choices::{all, choices};
 use kin_runtime::__private::Completion;
 pub use named::{SWIVEL, named};
@@ -62,7 +62,7 @@ impl Redundancy {
 /// How many coordinates of its targets an arm can choose at once: as many as there are independent
 /// ways in which the joints change them. One at least: joints that change nothing are refused for
 /// that, and not given one and all.
-pub(crate) fn coordinates(model: &Model, target: Target) -> usize {
+fn coordinates(model: &Model, target: Target) -> usize {
     let all = target.coordinates();
     if !model.is_coupled() {
         return rank(model, target).clamp(1, all);
@@ -138,7 +138,7 @@ fn solve_carried(
     }
     let uncoupled = uncoupled_behind(model, count);
     let (model, linkage) = uncoupled.map_err(|reason| NoClosedForm::Mimic(reason.into()))?;
-    let certified = solve(&model, &linkage, target)?;
+    let certified = solve_uncoupled(&model, &linkage, target)?;
     let redundancy = Redundancy {
         joints: (0..count).collect(),
         swivel: None,

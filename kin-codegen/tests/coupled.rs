@@ -373,6 +373,12 @@ fn refusals_say_why() {
     let said = refused(&snake);
     let why = "of joints to spare only those in front of all that mimic others or are mimicked can stay free";
     assert!(said.contains(why), "{said}");
+    let rail = "name: rail, axis: [0, 1, 0], type: prismatic, limits: [0, 3]";
+    let said = refused(&[&[rail], &snake[..7]].concat());
+    assert!(
+        said.contains("those that do the same once: this has 7"),
+        "{said}"
+    );
     let said = refused(&snake[..6]);
     let why = "as a chain whose joints move by themselves, no sequence of the subproblems";
     assert!(said.contains(why), "{said}");

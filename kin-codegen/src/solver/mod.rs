@@ -184,11 +184,20 @@ pub fn solve(model: &Model, linkage: &Linkage, target: Target) -> Result<Certifi
 fn solve_coupled(model: &Model, target: Target) -> Result<Certified, NoClosedForm> {
     let uncoupled = uncoupled(model).map_err(|reason| NoClosedForm::Mimic(reason.into()))?;
     let (model, linkage) = uncoupled;
-    let joints = model.joints.len();
+    solve_uncoupled(&model, &linkage, target)
+}
+
+/// The same once its joints move by themselves.
+pub(crate) fn solve_uncoupled(
+    model: &Model,
+    linkage: &Linkage,
+    target: Target,
+) -> Result<Certified, NoClosedForm> {
+    let joints = model.joints.len() - linkage.parameters();
     if joints > target.coordinates() {
         return Err(NoClosedForm::Mimic(Coupled::Joints { joints, target }));
     }
-    match solve(&model, &linkage, target) {
+    match solve(model, linkage, target) {
         Err(reason @ (NoClosedForm::NoPlan(_) | NoClosedForm::Uncertified { .. })) => {
             Err(NoClosedForm::Mimic(Coupled::Unsolved(Box::new(reason))))
         }
