@@ -1,8 +1,11 @@
 //! Arms whose joints mimic each other, against the product of exponentials of the joints that the
 //! file has, and against the numerical search of the chain whose joints move by themselves.
 
+use kin_codegen::arm::CompiledArm;
 use kin_codegen::closed_form::ClosedForm;
-use kin_codegen::geometry::{Linkage, cross, dot, natural_target, size, uncoupled};
+use kin_codegen::geometry::{
+    Linkage, by_coordinates, cross, dot, natural_target, size, solved_chain, uncoupled,
+};
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
 use kin_codegen::solver::{Certified, solve};
@@ -418,80 +421,92 @@ fn on_a_rail(text: &str) -> String {
     text.replace("joints:\n", rail)
 }
 
+/// Sound, and recovered wherever the joints behind the first, which is given, are regular.
+fn is_right_with_the_first_given(arm: &CompiledArm) {
+    let (model, form) = (&arm.model, arm.form().unwrap());
+    let (chain, length) = (model.chain(), size(model));
+    let (own, _) = solved_chain(model, Some(1)).unwrap();
+    let mut random = Random(0x0ca2_21ed);
+    let mut regular = 0;
+    for k in 0..200 {
+        let place = |limits: [f64; 2]| match (k % 2, random.below(2)) {
+            (0, 0) => [0.0, FRAC_PI_2, -FRAC_PI_2][random.below(3)].clamp(limits[0], limits[1]),
+            _ => random.between(limits[0], limits[1]),
+        };
+        let limits = model.variables.iter().map(|it| it.limits.unwrap());
+        let q: Vec<f64> = limits.map(place).collect();
+        let pose = chain.fk(&model.joint_values(&q));
+        let mut recovered = false;
+        for solution in form.solutions_at(&pose, &q[..1]) {
+            let whole = form.whole(&solution.q, &q[..1]);
+            let reached = chain.fk(&model.joint_values(&whole));
+            let miss = Target::Pose.distance(&reached, &pose, length);
+            assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
+            recovered |= (0..q.len()).all(|i| model.joint_distance(i, whole[i], q[i]) < 1e-6);
+        }
+        let held = own.chain().locked(0, q[0]);
+        let is_regular = form.given.conditioning(&held, &q[1..], Target::Pose) > 1e-4;
+        assert!(recovered || !is_regular, "{q:?} is lost");
+        regular += usize::from(is_regular);
+    }
+    assert!(regular > 120, "{regular}");
+}
+
 /// The height of the remote centre over a plane of the wrist does not depend on how the roll is turned,
 /// and where that stands at zero not on the rail either, which is along the first axis.
 #[test]
 fn a_remote_centre_on_a_rail_is_solved_by_subproblems() {
     let text = on_a_rail(REMOTE_CENTRE).replace("rpy: [0.3, 0.2, -0.5], ", "");
-    let (source, options) = (source(&text), Options::default());
-    let compiled = compile(&source, &options).unwrap();
-    let form = compiled.arm().unwrap().form().unwrap();
+    let compiled = compile(&source(&text), &Options::default()).unwrap();
+    let arm = compiled.arm().unwrap();
     assert_eq!(
-        form.plan.to_string(),
+        arm.form().unwrap().plan.to_string(),
         "SP4(q7) SP4(q6) slide(q4) SP2(q2,q3) SP1(q5)"
     );
-    let model = model(&text);
-    let (chain, length) = (model.chain(), size(&model));
-    let mut random = Random(0x7a11);
-    for k in 0..100 {
-        let place = |limits: &[f64; 2]| match (k % 2, random.below(2)) {
-            (0, 0) => 0.0,
-            _ => random.between(limits[0], limits[1]),
-        };
-        let limits = model.variables.iter().map(|it| it.limits.unwrap());
-        let limits: Vec<[f64; 2]> = limits.collect();
-        let q: Vec<f64> = limits.iter().map(place).collect();
-        let pose = chain.fk(&model.joint_values(&q));
-        let solutions = form.solutions_at(&pose, &q[..1]);
-        let mut recovered = false;
-        for solution in &solutions {
-            let whole = form.whole(&solution.q, &q[..1]);
-            let reached = chain.fk(&model.joint_values(&whole));
-            assert!(
-                Target::Pose.distance(&reached, &pose, length) < 1e-9 * length,
-                "{q:?}"
-            );
-            recovered |= (0..q.len()).all(|i| model.joint_distance(i, whole[i], q[i]) < 1e-6);
-        }
-        assert!(
-            recovered || solutions.iter().any(|it| it.singular),
-            "{q:?}: {solutions:?}"
-        );
-    }
+    is_right_with_the_first_given(arm);
 }
 
 /// What carries an arm is given, and the rest is coupled as it is without.
 #[test]
 fn what_carries_a_coupled_arm_is_given() {
-    for (text, own) in [(PARALLELOGRAM, 8), (PALLETIZER, 4)] {
-        let text = on_a_rail(text);
-        let compiled = compile(&source(&text), &Options::default()).unwrap();
+    for (text, branches) in [(PARALLELOGRAM, 8), (PALLETIZER, 4)] {
+        let compiled = compile(&source(&on_a_rail(text)), &Options::default()).unwrap();
         let arm = compiled.arm().unwrap();
         assert_eq!(arm.free_joints(), ["rail"]);
-        let form = arm.form().unwrap();
-        assert_eq!(form.plan.branches(), own);
-        let (model, chain) = (&arm.model, arm.model.chain());
-        let length = size(model);
-        let mut random = Random(0x0ca2_21ed);
-        for k in 0..200 {
-            let place = |limits: [f64; 2]| match (k % 2, random.below(2)) {
-                (0, 0) => [0.0, FRAC_PI_2, -FRAC_PI_2][random.below(3)].clamp(limits[0], limits[1]),
-                _ => random.between(limits[0], limits[1]),
-            };
-            let limits = model.variables.iter().map(|it| it.limits.unwrap());
-            let q: Vec<f64> = limits.map(place).collect();
-            let pose = chain.fk(&model.joint_values(&q));
-            let solutions = form.solutions_at(&pose, &q[..1]);
-            let mut recovered = false;
-            for solution in &solutions {
-                let whole = form.whole(&solution.q, &q[..1]);
-                let reached = chain.fk(&model.joint_values(&whole));
-                let miss = Target::Pose.distance(&reached, &pose, length);
-                assert!(miss < 1e-9 * length, "{q:?}: {miss:e}");
-                recovered |= (0..q.len()).all(|i| model.joint_distance(i, whole[i], q[i]) < 1e-6);
-            }
-            let is_singular = solutions.iter().any(|it| it.singular);
-            assert!(recovered || is_singular, "{q:?}: {solutions:?}");
+        assert_eq!(arm.form().unwrap().plan.branches(), branches);
+        is_right_with_the_first_given(arm);
+    }
+}
+
+/// The first stage of a column may follow the second, slide by another gear and back along its axis,
+/// and begin anywhere.
+#[test]
+fn the_stages_of_a_column_are_one_slide_whichever_leads() {
+    let text = "robot: column\nunits: {angle: rad, length: m}\njoints:\n  \
+        - {name: one, rpy: [0.3, -0.4, 1.1], xyz: [0, 0, 0.3], axis: [0, 0, -1], type: prismatic, \
+        limits: [-0.5, 0], mimic: {joint: two, multiplier: -0.8, offset: -0.01}}\n  \
+        - {name: two, xyz: [0, 0, 0.04], axis: [0, 0, 1], type: prismatic, limits: [0, 0.5]}\n  \
+        - {name: pan, xyz: [0.1, 0, 0.2], axis: [0, 1, 0], limits: [-3, 3]}\n  \
+        - {name: tilt, xyz: [0.2, 0, 0], axis: [0, 0, 1], limits: [-3, 3]}\ntip: tool0\n";
+    for text in [
+        text.to_owned(),
+        text.replace("-0.8", "0.3").replace("-0.01", "-0.4"),
+    ] {
+        let model = model(&text);
+        let column = by_coordinates(&model).unwrap();
+        let gears: Vec<f64> = column.joints.iter().map(|joint| joint.gear).collect();
+        assert_eq!(gears.len(), 3);
+        assert!(gears[0] != 1.0 && gears[1..] == [1.0, 1.0], "{gears:?}");
+        let mut random = Random(0xc01a);
+        for _ in 0..20 {
+            let q = [
+                random.between(0.0, 0.5),
+                random.between(-3.0, 3.0),
+                random.between(-3.0, 3.0),
+            ];
+            let wanted = model.chain().fk(&model.joint_values(&q));
+            let apart = Target::Pose.distance(&column.chain().fk(&q), &wanted, 1.0);
+            assert!(apart < 1e-14, "{q:?}: {apart:e}");
         }
     }
 }
