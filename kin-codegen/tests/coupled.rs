@@ -236,6 +236,41 @@ fn arms_that_belts_fold_are_solved_off_the_fold() {
     }
 }
 
+/// A thumb behind a wrist: with the wrist straight the chain whose joints move by themselves is singular and
+/// tells them to the square root of rounding, by links of two centimetres. The arm is regular there.
+#[test]
+fn chains_may_be_singular_where_coupled_arms_are_regular() {
+    let text = "\
+robot: thumb
+units: {angle: rad, length: m}
+joints:
+  - {name: pitch, xyz: [0, 0, 0.08], axis: [1, 0, 0], limits: [-0.4, 0.4]}
+  - {name: yaw, axis: [0, -1, 0], limits: [-0.4, 0.4]}
+  - {name: thumb, xyz: [0.021, 0.015, 0.03], axis: [0, 0, -1], limits: [-1.3, 0]}
+  - {name: near, xyz: [0.011, 0.003, -0.001], axis: [-0.28, 0.96, 0], limits: [-0.5, 0]}
+  - {name: middle, xyz: [0.038, 0.011, 0.039], axis: [-0.28, 0.96, 0], mimic: {joint: near, multiplier: 1.3333, offset: -0.08}}
+  - {name: far, xyz: [0.017, 0.005, 0.013], axis: [-0.28, 0.96, 0], mimic: {joint: near, multiplier: 0.6667, offset: -0.04}}
+tip: {xyz: [0.018, 0.005, 0.015]}
+";
+    let arm = Arm::new(text, None).unwrap();
+    let limits = arm.model.variables.iter().map(|it| it.limits.unwrap());
+    let limits: Vec<[f64; 2]> = limits.collect();
+    let mut random = Random(0x7413);
+    for k in 0..4000 {
+        let mut q: Vec<f64> = limits
+            .iter()
+            .map(|it| random.between(it[0], it[1]))
+            .collect();
+        if k % 8 != 0 {
+            q[1] = 10_f64.powf(random.between(-12.0, -4.0)) * [1.0, -1.0][k % 2];
+        }
+        assert!(arm.conditioning(&q) > 0.01, "{q:?}");
+        let solutions = arm.form().solutions(&arm.fk(&q));
+        let found = solutions.iter().any(|it| arm.is_same(&it.q, &q, 1e-7));
+        assert!(found, "{q:?}: {solutions:?}");
+    }
+}
+
 /// Axes of joints that are coupled, parallel to ten digits as half turns are written: a plan that
 /// tells them apart by the rest is nowhere regular, and not one that finds nothing.
 #[test]

@@ -11,7 +11,7 @@ pub(crate) use reading::tip_shift;
 pub use roots::Domain;
 
 use crate::expr::inverse::{FreeJoints, InverseGraph, TipShift};
-use crate::geometry::{Carried, Idealized, Linkage};
+use crate::geometry::{Carried, Coupling, Idealized, Linkage};
 use crate::model::Model;
 use crate::plan::{Atom, Plan, Step, Subproblem, Target};
 use crate::scalar::Tolerances;
@@ -499,9 +499,13 @@ impl ClosedForm {
         let sliding = (0..given.variables()).filter(|&i| !given.repeats(i));
         let (size, tolerances) = (self.linkage.size, self.tolerances());
         let has_quartic = |step: &Step| step.subproblem.choices() == 2;
-        let nearly = match self.plan.steps.iter().any(has_quartic) {
-            true => tolerances.nearly_by_quartic,
-            false => tolerances.nearly,
+        let has_to_agree = Coupling::is_overdetermined;
+        let nearly = if self.linkage.coupling.as_ref().is_some_and(has_to_agree) {
+            tolerances.nearly_coupled
+        } else if self.plan.steps.iter().any(has_quartic) {
+            tolerances.nearly_by_quartic
+        } else {
+            tolerances.nearly
         };
         // A branch that reaches a target on the idealized arm may miss it by so much more on the one
         // that is given.

@@ -130,6 +130,11 @@ impl Coupling {
         )
     }
 
+    /// Whether some joints have to agree with others.
+    pub fn is_overdetermined(&self) -> bool {
+        self.rows.len() > self.inverse.len()
+    }
+
     /// Whether a coordinate follows from a joint. The others have to agree with those that do.
     pub fn is_independent(&self, joint: usize) -> bool {
         self.inverse.iter().any(|inverse| inverse.joint == joint)

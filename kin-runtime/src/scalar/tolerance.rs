@@ -37,6 +37,9 @@ pub const DOUBLE_ROOT: Real = 1e-13;
 pub const NEARLY: Real = 1e-5;
 /// The same of a plan with quartics: where all four roots meet, the fourth root of rounding.
 pub const NEARLY_BY_QUARTIC: Real = 1e-3;
+/// The same where joints depend on others: the arm is regular where these would be singular by
+/// themselves, in two ways at once, and short links between them make an angle of what they are off.
+pub const NEARLY_COUPLED: Real = 1e-2;
 /// Relative to the arm's size, a residual below this is rounding.
 pub const ROUNDING: Real = 1e-14;
 /// Below this a pivot of the Jacobian, relative to the largest, is that of a singular

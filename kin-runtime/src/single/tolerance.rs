@@ -41,6 +41,8 @@ pub const DOUBLE_ROOT: Real = 2e-6;
 pub const NEARLY: Real = 5e-3;
 /// The same of a plan with quartics.
 pub const NEARLY_BY_QUARTIC: Real = 5e-3;
+/// The same where joints depend on others.
+pub const NEARLY_COUPLED: Real = 5e-2;
 /// Relative to the arm's size, a residual below this is rounding.
 pub const ROUNDING: Real = 5e-7;
 /// Below this a pivot of the Jacobian, relative to the largest, is that of a singular
