@@ -107,7 +107,7 @@ pub struct Check {
     /// Which random targets
     #[arg(long, default_value_t = 1, requires = "targets")]
     pub seed: u64,
-    /// Draw the targets of the sweep next to quarter turns of some joint, where
+    /// Draw the targets of the sweep next to quarter turns of some joints and of their sums, where
     /// many arms are singular
     #[arg(long, requires = "targets")]
     pub aligned: bool,

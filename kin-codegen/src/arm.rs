@@ -8,7 +8,7 @@ use crate::expr::jacobian::{
 use crate::expr::linear::Motion;
 use crate::expr::{Expr, Graph, Operations};
 use crate::found::Found;
-use crate::geometry::{Linkage, natural_target, rank, uncoupled};
+use crate::geometry::{Linkage, in_words, natural_target, rank, uncoupled};
 use crate::model::Model;
 use crate::options::{Ik, Options};
 use crate::plan::Target;
@@ -318,7 +318,7 @@ impl CompiledArm {
         }
         let moving = match ways == joints {
             true => String::new(),
-            false => format!(" that move the tip in {ways} independent ways"),
+            false => format!(" that move the tip in {}", in_words(ways)),
         };
         let reached = format!(
             "Targets are whole poses. With {joints} joints{moving} few of them are within reach, \

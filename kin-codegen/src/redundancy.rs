@@ -17,6 +17,10 @@ pub use named::{SWIVEL, named};
 use weighed::weigh;
 pub use weighed::{Weighed, carriers, costs_as_much};
 
+/// Of so many singular targets one may be without a solution where the swivel angle is given: as that of
+/// a stretched arm with an axis or two off the point where they should meet by no more than the elbow is
+/// off its line.
+const SELDOM: usize = 100;
 /// Choices that are solved in search of one that has a solution at every singular target.
 const SOLVED: usize = 8;
 
@@ -228,8 +232,14 @@ impl Wanted {
         })?;
         let linkage = linkage.clone().with_swivel(Some(swivel));
         let is_asked = asked.swivel.is_some();
+        let is_good = |found: &Certified| {
+            let certificate = &found.certificate;
+            found.form.is_exact()
+                && certificate.lost == 0
+                && SELDOM * certificate.unanswered <= certificate.singular
+        };
         match solve(model, &linkage, self.target) {
-            Ok(found) if is_asked || found.certificate.is_complete() && found.form.is_exact() => {
+            Ok(found) if is_asked || is_good(&found) => {
                 Some(Ok((found, self.redundancy(Vec::new(), Some(swivel)))))
             }
             Err(reason) if is_asked => Some(Err(NoClosedForm::Free {
@@ -460,6 +470,30 @@ dh:
         for tool in [0.0, 0.045, 0.05, 0.09, 0.3] {
             let found = solved(iiwa(tool, |angle| format!("{angle:?}")));
             assert!(found.swivel.is_some(), "{tool}: {found:?}");
+        }
+    }
+
+    /// However many digits its right angles have, as long as axes meet to a tenth of a nanometre: what
+    /// is given beside a pose is the meaning of a number. Its links are of one length, which that of
+    /// others is not to the last digit.
+    #[test]
+    fn the_swivel_angle_is_given_whatever_the_digits() {
+        for digits in 10..14 {
+            let found = solved(iiwa(0.045, |angle| format!("{angle:.digits$}")));
+            assert!(found.swivel.is_some(), "{digits}: {found:?}");
+        }
+        for digits in 4..14 {
+            for forearm in [0.4, 0.45] {
+                let row = |(i, d): (usize, f64)| {
+                    let turn = [-1.0, 1.0, 1.0, -1.0, -1.0, 1.0, 0.0][i] * FRAC_PI_2;
+                    format!("  - {{name: q{i}, a: 0, alpha: {turn:.digits$}, d: {d}, theta: 0}}\n")
+                };
+                let lengths = [0.34, 0.0, 0.4, 0.0, forearm, 0.0, 0.126];
+                let rows: String = lengths.into_iter().enumerate().map(row).collect();
+                let head = "robot: iiwa\nunits: {angle: rad, length: m}\ndh:\n";
+                let found = solved(format!("{head}{rows}"));
+                assert!(found.swivel.is_some(), "{digits}, {forearm}: {found:?}");
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::certificate::Failure;
 use crate::compiled::Compiled;
-use crate::geometry::{Undetermined, rank, structure};
+use crate::geometry::{Undetermined, in_words, rank, structure};
 use crate::mechanism::{ChainRefusal, UnsolvedChain};
 use crate::model::{Joint, JointKind, Model};
 use crate::plan::Target;
@@ -193,8 +193,9 @@ fn why(model: &Model, reason: &NoClosedForm) -> String {
                 _ => format!("change {}", target.phrase()),
             };
             format!(
-                "they {change} in {rank} independent ways at most, so that the chain is singular \
-                 in every configuration{alike}"
+                "they {change} in {} at most, so that the chain is singular in every \
+                 configuration{alike}",
+                in_words(*rank)
             )
         }
         NoClosedForm::Redundant(target) => format!(

@@ -25,6 +25,9 @@ struct Arm {
     told_from: f64,
     /// How many solutions next to the fold have the shoulder of the one that is asked for.
     solutions: usize,
+    /// The most of them folded: half as many, unless the links differ by more than rounding, which
+    /// leaves the two bends apart.
+    most_folded: usize,
 }
 
 fn solved(arm: &Arm, random: &mut Random) -> (Model, ClosedForm) {
@@ -110,7 +113,8 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
                 continue;
             }
             told += 1;
-            assert_eq!(solutions.len(), arm.solutions / 2, "{q:?}: {solutions:?}");
+            let counts = arm.solutions / 2..=arm.most_folded;
+            assert!(counts.contains(&solutions.len()), "{q:?}: {solutions:?}");
             assert!(solutions.iter().all(|it| it.singular), "{solutions:?}");
         }
         assert!(told > 5, "{told} of 20");
@@ -120,15 +124,24 @@ fn has_both_bends<const N: usize>(arm: &Arm, random: &mut Random) {
 #[test]
 fn a_folded_arm_with_a_wrist() {
     let mut random = Random(0xf01d);
-    for shoulder in [0.05, 0.1, 0.15] {
+    // In a file whose axes are off their design the links are equal but for some digits.
+    for (shoulder, longer) in [
+        (0.05, 0.0),
+        (0.1, 0.0),
+        (0.15, 0.0),
+        (0.1, 1e-12),
+        (0.1, 1e-10),
+        (0.1, 1e-8),
+    ] {
         let length = random.between(0.2, 0.6);
+        let other = length + longer;
         let arm = Arm {
             joints: format!(
                 "- {{name: q1, axis: [0, 0, 1]}}\n\
                  - {{name: q2, xyz: [{shoulder}, 0, 0.3], axis: [0, 1, 0]}}\n\
                  - {{name: q3, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n\
                  - {{name: q4, axis: [0, 0, 1]}}\n\
-                 - {{name: q5, xyz: [0, 0, {length}], axis: [0, 1, 0]}}\n\
+                 - {{name: q5, xyz: [0, 0, {other}], axis: [0, 1, 0]}}\n\
                  - {{name: q6, axis: [0, 0, 1]}}\n"
             ),
             tip: [0.0, 0.0, 0.1],
@@ -136,6 +149,7 @@ fn a_folded_arm_with_a_wrist() {
             target: Target::Pose,
             told_from: 1e-10,
             solutions: 4,
+            most_folded: if longer == 0.0 { 2 } else { 4 },
         };
         has_both_bends::<6>(&arm, &mut random);
     }
@@ -162,6 +176,7 @@ fn a_folded_arm_of_three_parallel_axes() {
             target: Target::Pose,
             told_from: 1e-10,
             solutions: 2,
+            most_folded: 1,
         };
         has_both_bends::<6>(&arm, &mut random);
     }
@@ -182,6 +197,7 @@ fn a_folded_arm_of_two_joints() {
             target: Target::Position,
             told_from: 1e-8,
             solutions: 2,
+            most_folded: 1,
         };
         has_both_bends::<2>(&arm, &mut random);
     }
@@ -204,6 +220,7 @@ fn a_folded_scara() {
             target: Target::Pose,
             told_from: 1e-10,
             solutions: 2,
+            most_folded: 1,
         };
         has_both_bends::<4>(&arm, &mut random);
     }
@@ -226,6 +243,7 @@ fn links_that_are_nearly_equal_are_not_taken_for_it() {
             target: Target::Position,
             told_from: 0.0,
             solutions: 2,
+            most_folded: 1,
         };
         let (model, form) = solved(&arm, &mut random);
         let chain = model.chain();

@@ -344,6 +344,59 @@ home: {xyz: [0.9, 0.3, 0]}
     assert!(message.contains("if the file rounds them"), "{message}");
 }
 
+/// A crane whose last link hangs down: the turn of the tip that its targets leave free is about the
+/// direction of the slewing axis then. A plan that tells both turns at once told neither, and the arm is
+/// regular; nor did any configuration show it where the tip's axis was none of those that are aligned.
+#[test]
+fn the_axis_of_a_free_turn_may_be_that_of_a_joint() {
+    let behind = |third: &str, last: &str| {
+        format!(
+            "robot: crane\nunits: {{angle: deg, length: m}}\ndh:\n\
+             - {{name: slew, theta: 0, d: 2.4, a: 0, alpha: 90}}\n\
+             - {{name: boom, theta: 0, d: 0, a: 3.5, alpha: 0}}\n{third}{last}"
+        )
+    };
+    let jib = "- {name: jib, theta: 90, d: 0, a: 0, alpha: 90}\n";
+    let telescope = "- {name: telescope, type: prismatic, theta: 0, d: 3, a: 0, alpha: 0}\n";
+    let tilted = "tip: {rpy: [0, 30, 0]}\n";
+    let mut random = Random(0xc4a7e);
+    for text in [
+        behind(jib, telescope),
+        behind(jib, &format!("{telescope}{tilted}")),
+    ] {
+        let target = Target::PositionAxis;
+        let arm = compiled(&text, target).unwrap();
+        let found = arm.inverse.unwrap();
+        assert!(found.certificate.is_complete());
+        let chain = arm.model.chain();
+        let hanging = |q: &[f64]| {
+            let axis = chain.fk(q).rotation.map(|row| row[2]);
+            axis[0].hypot(axis[1])
+        };
+        for k in 0..300 {
+            let mut q: Vec<f64> = (0..4).map(|_| random.between(-2.0, 2.0)).collect();
+            // The sum of boom and jib with which the tip's axis is upright.
+            let upright = [0.0, PI / 2.0, -PI / 2.0, PI].map(|sum| sum - q[1]);
+            let off = [0.0, 1e-13, 1e-12, 1e-10, 1e-6][k % 5];
+            let turns = upright
+                .into_iter()
+                .chain(upright.map(|it| it - PI / 6.0))
+                .chain(upright.map(|it| it + PI / 6.0));
+            let at = |third: f64| vec![q[0], q[1], third, q[3]];
+            let third = turns
+                .min_by(|a, b| hanging(&at(*a)).total_cmp(&hanging(&at(*b))))
+                .unwrap();
+            q[2] = third + off;
+            assert!(hanging(&q) < 2.0 * off + 1e-12);
+            let independent = conditioning(&chain, &q, size(&arm.model), target);
+            if independent > 1e-3 {
+                let solutions = found.form.solutions(&chain.fk(&q));
+                recovered(&arm.model, &q, &solutions, independent).unwrap();
+            }
+        }
+    }
+}
+
 /// Where one of two parallel joints is given and a slide stands beside them, a direction behind the
 /// slide is turned by the sum of both, and not by the given one once more.
 #[test]

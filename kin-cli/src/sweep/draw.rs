@@ -2,6 +2,7 @@
 
 use kin_codegen::model::Model;
 use kin_codegen::random::Random;
+use kin_runtime::__private::math::wrap;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -14,7 +15,8 @@ pub enum Draw {
     Anywhere,
     /// With one joint, on average, next to a multiple of a quarter turn, where
     /// the singular configurations of many arms are: by 10⁻¹² to 0.1 radians,
-    /// evenly by magnitude.
+    /// evenly by magnitude. Of these two in three are sums with the one or two
+    /// joints before, or differences.
     Aligned,
 }
 
@@ -49,10 +51,14 @@ impl Ranges {
             .collect();
         if draw == Draw::Aligned {
             let joints = q.len() as f64;
-            let turning = (q.iter_mut().zip(&self.repeats)).filter(|(_, repeats)| **repeats);
-            for (value, _) in turning {
+            let turning: Vec<usize> = (0..q.len()).filter(|&i| self.repeats[i]).collect();
+            for (place, &i) in turning.iter().enumerate() {
                 if random.between(0.0, joints) < 1.0 {
-                    *value = aligned(&mut random);
+                    // Of parallel axes the sum is what is aligned.
+                    let (before, count) = (&turning[..place], random.below(3) as usize);
+                    let before = &before[place.saturating_sub(count)..];
+                    let sum: f64 = before.iter().map(|&k| sign(&mut random) * q[k]).sum();
+                    q[i] = wrap(aligned(&mut random) - sum);
                 }
             }
         }
@@ -64,8 +70,11 @@ impl Ranges {
 fn aligned(random: &mut Random) -> f64 {
     let quarters = random.between(-2.0, 2.0).ceil();
     let off = 10.0_f64.powf(random.between(-12.0, -1.0));
-    let sign = random.between(-1.0, 1.0).signum();
-    kin_runtime::__private::math::wrap(quarters * FRAC_PI_2 + sign * off)
+    wrap(quarters * FRAC_PI_2 + sign(random) * off)
+}
+
+fn sign(random: &mut Random) -> f64 {
+    random.between(-1.0, 1.0).signum()
 }
 
 /// Numbers in a row become unrelated ones: the mixing of SplitMix64 (Steele,

@@ -6,6 +6,7 @@
 
 use crate::geometry::{Line, Vec3, axes, concurrency, cross, dot, norm, size, sub};
 use crate::model::{Model, configurations};
+use crate::plan::Target;
 use crate::random::Random;
 use kin_runtime::Chain;
 use kin_runtime::subproblems::{subproblem1, subproblem2};
@@ -20,12 +21,21 @@ const PLACES: usize = 24;
 /// Steps of a bisection, and of Newton's method.
 const STEPS: usize = 60;
 
-/// Configurations with two axes aligned.
-pub fn aligned(model: &Model) -> Vec<Vec<f64>> {
+/// Configurations with two axes aligned, of which that about which a target leaves the tip free is one.
+pub fn aligned(model: &Model, target: Target) -> Vec<Vec<f64>> {
     let mut random = Random(0x853c_49e6_748f_ea9b);
+    let mut axes = axes(model);
+    let joints = axes.len();
+    if target.fixes_axis() {
+        axes.push(Line {
+            point: model.home.translation,
+            direction: model.home.rotation.map(|row| row[2]),
+        });
+    }
     let arm = Aligner {
         model,
-        axes: axes(model),
+        joints,
+        axes,
         chain: model.chain(),
     };
     arm.alignments(&mut random)
@@ -46,7 +56,9 @@ pub fn neighbours(configurations: &[Vec<f64>]) -> Vec<Vec<f64>> {
 
 struct Aligner<'a> {
     model: &'a Model,
-    /// At home, base coordinates.
+    joints: usize,
+    /// Those of the joints, and behind them that of the tip if targets leave it free to turn; at home,
+    /// base coordinates.
     axes: Vec<Line>,
     chain: Chain,
 }
@@ -96,9 +108,9 @@ impl Aligner<'_> {
     /// The points that relations are about: where neighbours meet, on other axes that of
     /// the joint, and the tip.
     fn points(&self) -> Vec<Point> {
-        let n = self.axes.len();
+        let n = self.joints;
         let near = MEETING * size(self.model);
-        let meet = |j: usize| concurrency(self.axes.get(j..j + 2)?, MEETING, near);
+        let meet = |j: usize| concurrency(self.axes[..n].get(j..j + 2)?, MEETING, near);
         let mut points: Vec<Point> = Vec::new();
         for j in 0..n {
             let before = points.last_mut().filter(|point| point.last == j);
@@ -115,8 +127,8 @@ impl Aligner<'_> {
         points
     }
 
-    fn turns(&self, joint: usize) -> bool {
-        self.model.joints[joint].is_revolute()
+    fn turns(&self, axis: usize) -> bool {
+        axis == self.joints || self.model.joints[axis].is_revolute()
     }
 
     /// Turns one or two joints between `i` and `j` so that their axes are

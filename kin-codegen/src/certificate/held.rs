@@ -89,7 +89,7 @@ impl Held {
         }
         let round = coordinates(round);
         let beside = alignment::neighbours(&round);
-        let aligned = coordinates(alignment::aligned(&model));
+        let aligned = coordinates(alignment::aligned(&model, target));
         let nearly = alignment::neighbours(&aligned);
         let mut held = Self {
             parameters: match linkage.swivel {

@@ -41,6 +41,14 @@ pub fn natural_target(model: &Model) -> Target {
     }
 }
 
+/// In how many ways, in words.
+pub(crate) fn in_words(rank: usize) -> String {
+    match rank {
+        1 => "one way".into(),
+        _ => format!("{rank} independent ways"),
+    }
+}
+
 /// The largest number of independent ways in which the joints change what counts of a target: for
 /// whole poses, in which they move the tip.
 pub fn rank(model: &Model, target: Target) -> usize {

@@ -14,6 +14,7 @@ mod swivel;
 pub use crate::vector::{Vec3, angle, cross, dot, norm};
 pub(crate) use crate::vector::{along, sub, unit};
 pub use carried::Carried;
+pub(crate) use conditioning::in_words;
 pub use conditioning::{
     SINGULAR, conditioning, coupled_rank, natural_target, rank, volume, weak_motion,
 };

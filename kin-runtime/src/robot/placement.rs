@@ -6,6 +6,25 @@ use crate::{
     RedundantKinematics, Singularities, Solution, Solutions, Swivel, Target,
 };
 
+/// The constants of an arm that is this one but for how it is asked.
+macro_rules! constants_of {
+    ($robot:ident) => {
+        const JOINT_NAMES: [&'static str; N] = $robot::JOINT_NAMES;
+        const LIMITS: [JointLimit; N] = $robot::LIMITS;
+        const VELOCITY_LIMITS: [f64; N] = $robot::VELOCITY_LIMITS;
+        const EFFORT_LIMITS: [f64; N] = $robot::EFFORT_LIMITS;
+        const LINK_NAMES: [&'static str; N] = $robot::LINK_NAMES;
+        const FRAMES: &'static [Frame] = $robot::FRAMES;
+        const BASE: &'static str = $robot::BASE;
+        const TIP: &'static str = $robot::TIP;
+        const TARGET: Target = $robot::TARGET;
+        const POSTURES: &'static [Posture] = $robot::POSTURES;
+        const BRANCHES: usize = $robot::BRANCHES;
+    };
+}
+
+pub(super) use constants_of;
+
 /// A robot that carries a tool: poses are those of the tool, whose frame lies
 /// at `tool` in the robot's own tip frame.
 ///
@@ -149,17 +168,7 @@ impl<K> WithBase<K> {
 placed!(WithBase, seen_from_base);
 
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithTool<K> {
-    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
-    const LIMITS: [JointLimit; N] = K::LIMITS;
-    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
-    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
-    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
-    const FRAMES: &'static [Frame] = K::FRAMES;
-    const BASE: &'static str = K::BASE;
-    const TIP: &'static str = K::TIP;
-    const TARGET: Target = K::TARGET;
-    const POSTURES: &'static [Posture] = K::POSTURES;
-    const BRANCHES: usize = K::BRANCHES;
+    constants_of!(K);
 
     fn fk(&self, q: &[f64; N]) -> Pose {
         self.robot.fk(q) * self.tool
@@ -300,17 +309,7 @@ impl<K> WithBase<K> {
 }
 
 impl<const N: usize, K: Kinematics<N>> Kinematics<N> for WithBase<K> {
-    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
-    const LIMITS: [JointLimit; N] = K::LIMITS;
-    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
-    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
-    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
-    const FRAMES: &'static [Frame] = K::FRAMES;
-    const BASE: &'static str = K::BASE;
-    const TIP: &'static str = K::TIP;
-    const TARGET: Target = K::TARGET;
-    const POSTURES: &'static [Posture] = K::POSTURES;
-    const BRANCHES: usize = K::BRANCHES;
+    constants_of!(K);
 
     fn fk(&self, q: &[f64; N]) -> Pose {
         self.base * self.robot.fk(q)

@@ -1,5 +1,6 @@
 //! Arms with several joints more than their targets have coordinates.
 
+use super::placement::constants_of;
 use crate::__private::Eliminant;
 use crate::{
     Frame, Hessian, Jacobian, JointLimit, Kinematics, Parameter, Pose, Posture,
@@ -95,17 +96,7 @@ impl<K, const N: usize, const P: usize, const I: usize> Kinematics<N> for Along<
 where
     K: HighlyRedundantKinematics<N, P> + ?Sized,
 {
-    const JOINT_NAMES: [&'static str; N] = K::JOINT_NAMES;
-    const LIMITS: [JointLimit; N] = K::LIMITS;
-    const VELOCITY_LIMITS: [f64; N] = K::VELOCITY_LIMITS;
-    const EFFORT_LIMITS: [f64; N] = K::EFFORT_LIMITS;
-    const LINK_NAMES: [&'static str; N] = K::LINK_NAMES;
-    const FRAMES: &'static [Frame] = K::FRAMES;
-    const BASE: &'static str = K::BASE;
-    const TIP: &'static str = K::TIP;
-    const TARGET: Target = K::TARGET;
-    const POSTURES: &'static [Posture] = K::POSTURES;
-    const BRANCHES: usize = K::BRANCHES;
+    constants_of!(K);
 
     fn fk(&self, q: &[f64; N]) -> Pose {
         self.robot.fk(q)

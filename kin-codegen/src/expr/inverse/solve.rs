@@ -21,9 +21,9 @@ pub(super) struct Sides {
 /// their slopes.
 const AMPLITUDE: f64 = 1e-8;
 
-/// Lengths are equal to rounding if they are so to this: less moves a folded arm by no more than
-/// where its angle is free.
-const EQUAL: f64 = 1e-13;
+/// Lengths are nearly equal if they are so to this, relative to them: of the square of their difference
+/// rounding is nothing beside what leaves the angle of a folded arm free.
+const EQUAL: f64 = 1e-6;
 
 /// a cos θ + b sin θ = d.
 #[derive(Clone, Copy)]
@@ -93,8 +93,9 @@ impl Writer<'_> {
         CosineSine { a, b, d, unit }
     }
 
-    /// The discriminant of a subproblem 3 of two points as far from the axis: folded they meet, seen
-    /// along it, and the square of their distance across it, which is what is given, is nothing.
+    /// The discriminant of a subproblem 3 of two points that are about as far from the axis, at l and r:
+    /// folded they nearly meet, seen along it. The square of their distance across it, which is what is
+    /// given, is (l − r)² there, and (l + r)² where the arm is stretched.
     fn of_equal_links(&mut self, relation: &Relation, unknown: Atom) -> Option<Discriminant> {
         if kinds(relation) != (Kind::Point, Some(Kind::Point)) {
             return None;
@@ -103,28 +104,43 @@ impl Writer<'_> {
         let points = [&sides.left, &sides.right].map(|side| self.point(side));
         let [left, right] = points.map(|point| {
             let square = self.length_squared(point);
-            Some([self.g.value(square)?, self.g.value(point[2])?])
+            Some([self.g.value(square)?.sqrt(), self.g.value(point[2])?])
         });
         let ([left, height], [right, other]) = (left?, right?);
         if (left - right).abs() >= EQUAL * left {
             return None;
         }
-        let square = match (height - other).abs() < EQUAL * left.sqrt() {
-            true => {
+        let least = (left - right).powi(2);
+        let folded = match height - other {
+            along if along.abs() < EQUAL * left => {
                 let [near, far] = sides.other?.map(|side| self.point(&side));
                 let gap = self.g.minus(near, far);
-                self.g.dot(gap, gap)
+                let square = self.g.dot(gap, gap);
+                self.less(square, least + along.powi(2))
             }
-            false => self.square_across(relation, unknown)?,
+            _ => {
+                let square = self.square_across(relation, unknown)?;
+                self.less(square, least)
+            }
         };
-        let folded = self.scaled(0.5, square);
-        let most = self.g.constant(left + right);
+        let folded = self.scaled(0.5, folded);
+        let most = self.g.constant(2.0 * left * right);
         let stretched = self.g.sub(most, folded);
         Some(Discriminant {
             value: self.g.mul(folded, stretched),
             noise: self.tolerances.noise,
             factors: Some([folded, stretched]),
         })
+    }
+
+    /// Zero where it would be negative.
+    fn less(&mut self, value: Expr, by: f64) -> Expr {
+        if by == 0.0 {
+            return value;
+        }
+        let [by, zero] = [by, 0.0].map(|x| self.g.constant(x));
+        let rest = self.g.sub(value, by);
+        self.g.max(zero, rest)
     }
 
     /// Of two points, one of them on the first of the parallel axes of which the unknown's is one, the
