@@ -5,6 +5,7 @@ use super::pose::PoseColumns;
 use super::task::{Tally, Task};
 use crate::table::{Column, Fault, Header, Kind, Values};
 use kinematics::{Answer, Robot};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Which solutions are written.
@@ -84,15 +85,15 @@ impl<'a> Inverse<'a> {
     }
 
     /// The joint values of a solution, turned by whole turns into the limits where these lead
-    /// there, and whether they are inside.
+    /// there, and whether they are inside. What rests on a stop but for rounding stays as it was
+    /// found, for which its residual is.
     fn inside(&self, q: &[f64], wound: &mut Vec<f64>) -> bool {
         wound.clear();
         let limits = self.robot.limits().iter();
-        wound.extend(
-            limits
-                .zip(q)
-                .map_while(|(limit, &value)| limit.nearest(value, value)),
-        );
+        wound.extend(limits.zip(q).map_while(|(limit, &value)| {
+            let turns = (limit.nearest(value, value)? - value) / TAU;
+            Some(value + TAU * turns.round())
+        }));
         let is_inside = wound.len() == q.len();
         if !is_inside {
             wound.clear();

@@ -55,7 +55,7 @@ impl Ranges {
             for (place, &i) in turning.iter().enumerate() {
                 if random.between(0.0, joints) < 1.0 {
                     // Of parallel axes the sum is what is aligned.
-                    let (before, count) = (&turning[..place], random.below(3) as usize);
+                    let (before, count) = (&turning[..place], random.below(3));
                     let before = &before[place.saturating_sub(count)..];
                     let sum: f64 = before.iter().map(|&k| sign(&mut random) * q[k]).sum();
                     q[i] = wrap(aligned(&mut random) - sum);

@@ -1,7 +1,7 @@
 //! Answers against the generic product of exponentials, and against each other.
 
 use super::*;
-use kinematics::{Pose, RobotOptions, Target};
+use kinematics::{JointLimit, Pose, RobotOptions, Target};
 
 /// Of a table of solutions.
 struct Solution {
@@ -267,8 +267,39 @@ fn limits_are_told_or_asked_for() {
     assert!(inside.len() > 40 && all.len() > inside.len());
     for solution in solutions(&file("inside.csv"), 6) {
         for (limit, &value) in robot.limits().iter().zip(&solution.q) {
-            assert!(limit.lower() <= value && value <= limit.upper());
+            let off = (limit.lower() - value).max(value - limit.upper());
+            assert!(off <= JointLimit::TOLERANCE);
         }
+    }
+}
+
+/// A value that rests on its stop but for 8e-10 is within limits, and is not moved: its residual would
+/// not be true of the stop.
+#[test]
+fn what_rests_on_a_stop_reaches_its_target() {
+    let folder = folder("stop");
+    let robot = load("kr6_r900.yaml", RobotOptions::default());
+    let [input, poses, output] = ["joints.csv", "poses.npy", "all.csv"].map(|it| folder.join(it));
+    let mut q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    q[1] = robot.limits()[1].upper() + 8e-10;
+    let names = robot.joint_names().join(",");
+    let values = q.map(|x| x.to_string()).join(",");
+    fs::write(&input, format!("{names}\n{values}\n")).unwrap();
+    succeeds(kin("fk", "kr6_r900.yaml", &input, &poses, &[]));
+    let options = ["--within-limits"];
+    succeeds(kin("ik", "kr6_r900.yaml", &poses, &output, &options));
+    let solutions = solutions(&output, 6);
+    let apart = |it: &Solution| {
+        it.q.iter()
+            .zip(q)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max)
+    };
+    assert!(solutions.iter().any(|it| apart(it) < 1e-12));
+    for solution in &solutions {
+        let reached = robot.chain().fk(&solution.q);
+        let missed = Target::Pose.distance(&reached, &robot.chain().fk(&q), 1.0);
+        assert!(missed < 1e-13, "{missed:e}");
     }
 }
 

@@ -25,7 +25,8 @@ pub(super) fn of(source: &Source) -> Result<Format, Diagnostics> {
             "this is XML, and the name says that it is YAML",
             "name the file `.urdf`",
         )),
-        "yaml" | "yml" => Ok(Format::Yaml),
+        // JSON is YAML.
+        "yaml" | "yml" | "json" => Ok(Format::Yaml),
         "sdf" | "mjcf" | "usd" | "usda" | "srdf" => Err(refuse(
             source,
             format!("`.{extension}` files cannot be read"),
@@ -98,6 +99,7 @@ mod tests {
         assert_eq!(format("a.urdf.xml", ""), Ok(Format::Urdf));
         assert_eq!(format("a.yml", "robot: arm"), Ok(Format::Yaml));
         assert!(format("a.yml", "<robot/>").is_err());
+        assert_eq!(format("a.json", "{\"robot\": \"arm\"}"), Ok(Format::Yaml));
     }
 
     #[test]

@@ -100,19 +100,16 @@ fn text(mut bytes: Vec<u8>) -> Result<String, Diagnostic> {
     Ok(text)
 }
 
-/// Comments are not read, and may have any encoding: where they stand in markup, and in YAML those
-/// that are lines of their own.
+/// Comments are not read, and may have any encoding.
 fn comments(bytes: &[u8]) -> Vec<Range<usize>> {
-    let first = |bytes: &[u8]| bytes.iter().find(|it| !it.is_ascii_whitespace()).copied();
     let begin = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    if first(begin) != Some(b'<') {
+    if begin.trim_ascii_start().first() != Some(&b'<') {
         let mut next = 0;
         let lines = bytes.split_inclusive(|it| *it == b'\n').map(|line| {
             next += line.len();
-            (next - line.len()..next, first(line))
+            Some(next - line.len() + comment(line)?..next)
         });
-        let comments = lines.filter(|(_, first)| *first == Some(b'#'));
-        return comments.map(|(line, _)| line).collect();
+        return lines.flatten().collect();
     }
     let find = |word: &[u8], from: usize| {
         let mut words = bytes[from..].windows(word.len());
@@ -124,6 +121,22 @@ fn comments(bytes: &[u8]) -> Vec<Range<usize>> {
         all.push(start..read);
     }
     all
+}
+
+/// Where in a line of YAML its comment begins: at a `#` behind a space, not within quotes.
+fn comment(line: &[u8]) -> Option<usize> {
+    let (mut quote, mut before) = (None, b' ');
+    line.iter().position(|&byte| {
+        let may_begin = before.is_ascii_whitespace();
+        let may_open = may_begin || b"[{,:".contains(&before);
+        before = byte;
+        match quote {
+            Some(open) if byte == open => quote = None,
+            None if may_open && matches!(byte, b'"' | b'\'') => quote = Some(byte),
+            _ => {}
+        }
+        quote.is_none() && may_begin && byte == b'#'
+    })
 }
 
 /// A part of a file, or where it is not UTF-8.
@@ -212,7 +225,15 @@ mod tests {
             "arm.urdf:2:9: the byte 0xe4 is not UTF-8\n<!-- -->\u{fffd}<!-- \u{fffd} -->\n        ^\n\
              help: save the file in UTF-8"
         );
-        assert!(message(b"a: 1 # gr\xfcn\n").starts_with("arm.urdf:1:10: the byte 0xfc"));
+        for (line, column) in [
+            (&b"a: 1# gr\xfcn\n"[..], 9),
+            (b"a: \"# gr\xfcn\"", 9),
+            (b"a: {b: 'x', c: '\xfc #'} # \xfc", 17),
+            (b"a: b's \xfc # 's", 8),
+        ] {
+            let place = format!("arm.urdf:1:{column}: the byte 0xfc");
+            assert!(message(line).starts_with(&place), "{}", message(line));
+        }
         assert!(message(b"\xff\xfe<\0").starts_with("arm.urdf: the file is in UTF-16"));
         assert!(message(b"solid \0\x01").starts_with("arm.urdf: the file is binary"));
     }
@@ -229,6 +250,10 @@ mod tests {
         assert_eq!(
             read(b"robot: arm\r\n  # gr\xfcn\r\na: \"#\xc3\xa4\"\n#\xe4"),
             "robot: arm\r\n  # gr\u{fffd}n\r\na: \"#\u{e4}\"\n#\u{fffd}"
+        );
+        assert_eq!(
+            read(b"dh: # \xb1\n- {a: \"# 1\", d: 'x'} # b's \xfc\n- b's # \xe4"),
+            "dh: # \u{fffd}\n- {a: \"# 1\", d: 'x'} # b's \u{fffd}\n- b's # \u{fffd}"
         );
     }
 }

@@ -356,6 +356,10 @@ fn instead_of(word: &str, known: &[&str]) -> String {
             "revolute",
             "write `revolute`, and leave out `limits`: it turns freely then",
         ),
+        "fixed" => (
+            "prismatic",
+            "leave the row out: what lies behind the last joint is `tip: {xyz: [...], rpy: [...]}`",
+        ),
         _ => return did_you_mean(word, known),
     };
     match known.contains(&instead) {
@@ -380,6 +384,13 @@ fn plainly(value: &Value) -> String {
         if let Some(remedy) = look_alike::remedy(text) {
             return remedy;
         }
+        if let Some(expression) = as_expression(text) {
+            return format!("write `{expression}`");
+        }
+        let bare = text.trim_start_matches(['-', '+', '.']).to_lowercase();
+        if matches!(&*bare, "inf" | "infinity" | "∞") {
+            return "leave out what has no bound: without `limits` a joint has none".into();
+        }
         let unit = |c: char| c.is_alphabetic() || c == '°';
         let point = text.replacen(',', ".", 1);
         let bare = text.trim_end_matches(unit).trim_end();
@@ -392,6 +403,24 @@ fn plainly(value: &Value) -> String {
         }
     }
     "write a number, or an expression of numbers and pi such as `pi/2`".into()
+}
+
+/// What a text says as an expression, if only that is no name of π here, or a product without its sign.
+fn as_expression(text: &str) -> Option<String> {
+    const PI: [&str; 6] = ["numpy.pi", "np.pi", "math.pi", "M_PI", "PI", "π"];
+    let named = PI
+        .iter()
+        .fold(text.to_owned(), |text, pi| text.replace(pi, "pi"));
+    let mut plain = String::new();
+    for c in named.chars() {
+        let factor = plain.trim_end();
+        if c == 'p' && factor.ends_with(|before: char| before.is_ascii_digit()) {
+            plain.truncate(factor.len());
+            plain.push('*');
+        }
+        plain.push(c);
+    }
+    (plain != text && expression::evaluate(&plain).is_some()).then_some(plain)
 }
 
 fn kind(value: &Value) -> &'static str {
