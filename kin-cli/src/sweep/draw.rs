@@ -15,7 +15,7 @@ pub enum Draw {
     Anywhere,
     /// With one joint, on average, next to a multiple of a quarter turn, where
     /// the singular configurations of many arms are: by 10⁻¹² to 0.1 radians,
-    /// evenly by magnitude. Of these two in three are sums with the one or two
+    /// evenly by magnitude. Of these half are sums with the one or two
     /// joints before, or differences.
     Aligned,
 }
@@ -55,7 +55,7 @@ impl Ranges {
             for (place, &i) in turning.iter().enumerate() {
                 if random.between(0.0, joints) < 1.0 {
                     // Of parallel axes the sum is what is aligned.
-                    let (before, count) = (&turning[..place], random.below(3));
+                    let (before, count) = (&turning[..place], random.below(4).saturating_sub(1));
                     let before = &before[place.saturating_sub(count)..];
                     let sum: f64 = before.iter().map(|&k| sign(&mut random) * q[k]).sum();
                     q[i] = wrap(aligned(&mut random) - sum);
