@@ -334,18 +334,20 @@ static int slider_crank_why_none(const slider_crank_metric *by, const double tar
 /* A configuration as the target sees it: what is missing, and how the joints make it;
  * lengths in units of the arm's size, zero where the target does not count. */
 typedef struct slider_crank_linearization {
-    double q[6];
+    double q[7];
     double residual;
-    double error[6];
-    double rows[6][6];
+    double error[7];
+    double rows[7][7];
 } slider_crank_linearization;
 
 /* The joints that are solved for: how many, and the function that has their pose and spatial
- * Jacobian, with what is given beside a target. */
+ * Jacobian, with what is given beside a target; and, unless it is 0, one that tells what is missing
+ * of one more coordinate, metres, and how the joints make it. */
 typedef struct slider_crank_solved_for {
     int count;
-    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][6]);
+    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][7]);
     const void *given;
+    double (*beside)(const double *q, const void *given, double row[7]);
 } slider_crank_solved_for;
 
 /* How far a pose is from a target, as far as the target counts, metres. */
@@ -368,7 +370,7 @@ static double slider_crank_distance(const slider_crank_metric *by, const double 
 static void slider_crank_linearize(
     const slider_crank_metric *by, const slider_crank_solved_for *joints, const double target[12], slider_crank_linearization *here)
 {
-    double pose[12], jacobian[6][6];
+    double pose[12], jacobian[6][7];
     joints->see(here->q, joints->given, pose, jacobian);
     for (int i = 0; i < 3; ++i) {
         const double off = pose[4 * i + 3] - target[4 * i + 3];
@@ -398,16 +400,25 @@ static void slider_crank_linearize(
             here->rows[3 + i][k] = by->rotation ? angular : 0.0;
         }
     }
+    if (joints->beside) {
+        const double off = joints->beside(here->q, joints->given, here->rows[6]);
+        here->error[6] = off / by->size;
+        for (int k = 0; k < joints->count; ++k) {
+            here->rows[6][k] /= by->size;
+        }
+        here->residual = sqrt(here->residual * here->residual + off * off);
+    }
 }
 
 /* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
  * diagonal. */
-static void slider_crank_factor(double rows[6][6], int count, double damping, double lower[6][6])
+static void slider_crank_factor(
+    double rows[7][7], int height, int count, double damping, double lower[7][7])
 {
     for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) {
             lower[i][j] = i == j ? damping : 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 lower[i][j] += rows[row][i] * rows[row][j];
             }
         }
@@ -432,17 +443,18 @@ static int slider_crank_correct(
     const slider_crank_metric *by, const slider_crank_solved_for *joints, const double target[12], int evaluations,
     slider_crank_linearization *here)
 {
-    double lower[6][6], weight = 1.0, miss, least, most;
+    const int height = joints->beside ? 7 : 6;
+    double lower[7][7], weight = 1.0, miss, least, most;
     slider_crank_linearize(by, joints, target, here);
-    miss = slider_crank_norm(here->error, 6);
+    miss = slider_crank_norm(here->error, height);
     for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         slider_crank_linearization there;
         double x[6], next;
-        slider_crank_factor(here->rows, joints->count, weight * miss * miss, lower);
+        slider_crank_factor(here->rows, height, joints->count, weight * miss * miss, lower);
         for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 x[i] += here->rows[row][i] * here->error[row];
             }
             for (int k = 0; k < i; ++k) {
@@ -458,7 +470,7 @@ static int slider_crank_correct(
             there.q[i] = here->q[i] + x[i];
         }
         slider_crank_linearize(by, joints, target, &there);
-        next = slider_crank_norm(there.error, 6);
+        next = slider_crank_norm(there.error, height);
         if (next < miss) {
             weight *= next < 0.5 * miss ? 0.1 : 1.0;
             *here = there;
@@ -467,7 +479,7 @@ static int slider_crank_correct(
             weight *= 8.0;
         }
     }
-    slider_crank_factor(here->rows, joints->count, 0.0, lower);
+    slider_crank_factor(here->rows, height, joints->count, 0.0, lower);
     least = most = lower[0][0];
     for (int i = 1; i < joints->count; ++i) {
         most = lower[i][i] > most ? lower[i][i] : most;
@@ -938,7 +950,7 @@ static void slider_crank_chain0_compute_branches(
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
  * values of joints that are given. */
 static void slider_crank_chain0_see_joints(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double q[SLIDER_CRANK_CHAIN0_JOINTS], all[6 * SLIDER_CRANK_CHAIN0_JOINTS];
     slider_crank_chain0_whole(solved, (const double *)given, q);
@@ -981,7 +993,7 @@ static int slider_crank_chain0_corrected(
     const slider_crank_chain0_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_chain0_solution *found)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given};
+    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given, 0};
     /* Those of an arm's design are farther from the solutions. */
     const int steps = SLIDER_CRANK_CHAIN0_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
@@ -1356,7 +1368,7 @@ static void slider_crank_chain1_compute_branches(
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
  * values of joints that are given. */
 static void slider_crank_chain1_see_joints(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double q[SLIDER_CRANK_CHAIN1_JOINTS], all[6 * SLIDER_CRANK_CHAIN1_JOINTS];
     slider_crank_chain1_whole(solved, (const double *)given, q);
@@ -1399,7 +1411,7 @@ static int slider_crank_chain1_corrected(
     const slider_crank_chain1_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_chain1_solution *found)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given};
+    const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given, 0};
     /* Those of an arm's design are farther from the solutions. */
     const int steps = SLIDER_CRANK_CHAIN1_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
@@ -1799,7 +1811,7 @@ static void slider_crank_passive_compute_branches(
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
  * values of joints that are given. */
 static void slider_crank_passive_see_joints(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double q[SLIDER_CRANK_PASSIVE_JOINTS], all[6 * SLIDER_CRANK_PASSIVE_JOINTS];
     slider_crank_passive_whole(solved, (const double *)given, q);
@@ -1842,7 +1854,7 @@ static int slider_crank_passive_corrected(
     const slider_crank_passive_lanes *lanes, int k, const double target[12], const double *given,
     slider_crank_passive_solution *found)
 {
-    const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given};
+    const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given, 0};
     /* Those of an arm's design are farther from the solutions. */
     const int steps = SLIDER_CRANK_PASSIVE_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;

@@ -364,18 +364,20 @@ static int ur5e_why_none(const ur5e_metric *by, const double target[12])
 /* A configuration as the target sees it: what is missing, and how the joints make it;
  * lengths in units of the arm's size, zero where the target does not count. */
 typedef struct ur5e_linearization {
-    double q[6];
+    double q[7];
     double residual;
-    double error[6];
-    double rows[6][6];
+    double error[7];
+    double rows[7][7];
 } ur5e_linearization;
 
 /* The joints that are solved for: how many, and the function that has their pose and spatial
- * Jacobian, with what is given beside a target. */
+ * Jacobian, with what is given beside a target; and, unless it is 0, one that tells what is missing
+ * of one more coordinate, metres, and how the joints make it. */
 typedef struct ur5e_solved_for {
     int count;
-    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][6]);
+    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][7]);
     const void *given;
+    double (*beside)(const double *q, const void *given, double row[7]);
 } ur5e_solved_for;
 
 /* How far a pose is from a target, as far as the target counts, metres. */
@@ -398,7 +400,7 @@ static double ur5e_distance(const ur5e_metric *by, const double pose[12], const 
 static void ur5e_linearize(
     const ur5e_metric *by, const ur5e_solved_for *joints, const double target[12], ur5e_linearization *here)
 {
-    double pose[12], jacobian[6][6];
+    double pose[12], jacobian[6][7];
     joints->see(here->q, joints->given, pose, jacobian);
     for (int i = 0; i < 3; ++i) {
         const double off = pose[4 * i + 3] - target[4 * i + 3];
@@ -428,16 +430,25 @@ static void ur5e_linearize(
             here->rows[3 + i][k] = by->rotation ? angular : 0.0;
         }
     }
+    if (joints->beside) {
+        const double off = joints->beside(here->q, joints->given, here->rows[6]);
+        here->error[6] = off / by->size;
+        for (int k = 0; k < joints->count; ++k) {
+            here->rows[6][k] /= by->size;
+        }
+        here->residual = sqrt(here->residual * here->residual + off * off);
+    }
 }
 
 /* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
  * diagonal. */
-static void ur5e_factor(double rows[6][6], int count, double damping, double lower[6][6])
+static void ur5e_factor(
+    double rows[7][7], int height, int count, double damping, double lower[7][7])
 {
     for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) {
             lower[i][j] = i == j ? damping : 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 lower[i][j] += rows[row][i] * rows[row][j];
             }
         }
@@ -462,17 +473,18 @@ static int ur5e_correct(
     const ur5e_metric *by, const ur5e_solved_for *joints, const double target[12], int evaluations,
     ur5e_linearization *here)
 {
-    double lower[6][6], weight = 1.0, miss, least, most;
+    const int height = joints->beside ? 7 : 6;
+    double lower[7][7], weight = 1.0, miss, least, most;
     ur5e_linearize(by, joints, target, here);
-    miss = ur5e_norm(here->error, 6);
+    miss = ur5e_norm(here->error, height);
     for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         ur5e_linearization there;
         double x[6], next;
-        ur5e_factor(here->rows, joints->count, weight * miss * miss, lower);
+        ur5e_factor(here->rows, height, joints->count, weight * miss * miss, lower);
         for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 x[i] += here->rows[row][i] * here->error[row];
             }
             for (int k = 0; k < i; ++k) {
@@ -488,7 +500,7 @@ static int ur5e_correct(
             there.q[i] = here->q[i] + x[i];
         }
         ur5e_linearize(by, joints, target, &there);
-        next = ur5e_norm(there.error, 6);
+        next = ur5e_norm(there.error, height);
         if (next < miss) {
             weight *= next < 0.5 * miss ? 0.1 : 1.0;
             *here = there;
@@ -497,7 +509,7 @@ static int ur5e_correct(
             weight *= 8.0;
         }
     }
-    ur5e_factor(here->rows, joints->count, 0.0, lower);
+    ur5e_factor(here->rows, height, joints->count, 0.0, lower);
     least = most = lower[0][0];
     for (int i = 1; i < joints->count; ++i) {
         most = lower[i][i] > most ? lower[i][i] : most;
@@ -1559,7 +1571,7 @@ static void ur5e_compute_branches(
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
  * values of joints that are given. */
 static void ur5e_see_joints(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double q[UR5E_JOINTS], all[6 * UR5E_JOINTS];
     ur5e_whole(solved, (const double *)given, q);
@@ -1602,7 +1614,7 @@ static int ur5e_corrected(
     const ur5e_lanes *lanes, int k, const double target[12], const double *given,
     ur5e_solution *found)
 {
-    const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given};
+    const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given, 0};
     /* Those of an arm's design are farther from the solutions. */
     const int steps = UR5E_TAKEN < 0.0 ? 60 : 12;
     ur5e_linearization here;

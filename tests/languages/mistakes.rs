@@ -58,18 +58,23 @@ const OF_REFINEMENT: [[&str; 2]; 3] = [
 
 /// The same of the correction of the branches of a design: none of them is taken as it is, and the
 /// angle tells a joint.
-const OF_CORRECTION: [[&str; 2]; 3] = [
+const OF_CORRECTION: [[&str; 2]; 6] = [
     [
         "residual > MISTAKEN_TAKEN && ",
         "residual > MISTAKEN_TOLERANCE && ",
     ],
     ["<= MISTAKEN_TAKEN)", "<= MISTAKEN_TOLERANCE)"],
-    ["q[given->joint] += by >", "q[given->joint] -= by >"],
+    ["return -off;", "return off;"],
+    ["cosine * beside - sine", "cosine * beside + sine"],
+    ["row[k] += normal[i]", "row[k] -= normal[i]"],
+    [">= -MISTAKEN_TOLERANCE", "<= -MISTAKEN_TOLERANCE"],
 ];
 
-const OF_CORRECTION_IN_JS: [[&str; 2]; 2] = [
+const OF_CORRECTION_IN_JS: [[&str; 2]; 4] = [
     ["residual <= form.taken", "residual <= form.tolerance"],
-    ["q[told] += by >", "q[told] -= by >"],
+    ["error, -off /", "error, off /"],
+    ["cosine * x - sine", "cosine * x + sine"],
+    [">= -form.tolerance", "<= -form.tolerance"],
 ];
 
 /// The same of how projected targets see the tip of an arm off its design. Of the motions some are

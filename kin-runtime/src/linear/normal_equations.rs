@@ -4,14 +4,14 @@ use super::super::scalar::{Real, tolerance::PIVOT};
 use super::cholesky;
 
 /// The normal equations (JᵀJ + μ) x = Jᵀe, factored.
-pub(crate) struct Factor<const N: usize> {
-    rows: [[Real; N]; 6],
+pub(crate) struct Factor<const N: usize, const R: usize> {
+    rows: [[Real; N]; R],
     /// As [`cholesky::factor`] leaves it.
     lower: [[Real; N]; N],
 }
 
-impl<const N: usize> Factor<N> {
-    pub fn new(rows: &[[Real; N]; 6], damping: Real) -> Self {
+impl<const N: usize, const R: usize> Factor<N, R> {
+    pub fn new(rows: &[[Real; N]; R], damping: Real) -> Self {
         let mut lower = [[0.0; N]; N];
         (0..N).for_each(|i| lower[i][i] = damping);
         for row in rows {
@@ -25,7 +25,7 @@ impl<const N: usize> Factor<N> {
         Self { rows: *rows, lower }
     }
 
-    pub fn solve(&self, error: &[Real; 6]) -> [Real; N] {
+    pub fn solve(&self, error: &[Real; R]) -> [Real; N] {
         let mut x = [0.0; N];
         for (row, e) in self.rows.iter().zip(error) {
             for i in 0..N {

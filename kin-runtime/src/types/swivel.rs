@@ -101,4 +101,19 @@ impl Swivel {
         let radius = norm(aside);
         (scale(1.0 / (radius * radius), cross(way, aside)), radius)
     }
+
+    /// The half plane in which the elbow is at an angle, radians, with the wrist somewhere, base
+    /// coordinates in metres: its direction across the line of shoulder and wrist, and its normal, to
+    /// which the angle grows. Zeros where it is not defined.
+    pub(crate) fn half_plane(&self, angle: Real, wrist: [Real; 3]) -> [[Real; 3]; 2] {
+        let unit = |v: [Real; 3]| scale(1.0 / math::max(norm(v), Real::MIN_POSITIVE), v);
+        let way = unit(sub(wrist, self.shoulder));
+        let aside = unit(sub(self.reference, scale(dot(self.reference, way), way)));
+        let beside = cross(way, aside);
+        let (sin, cos) = math::sin_cos(angle);
+        [
+            add(scale(cos, aside), scale(sin, beside)),
+            add(scale(cos, beside), scale(-sin, aside)),
+        ]
+    }
 }

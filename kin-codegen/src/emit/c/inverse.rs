@@ -42,6 +42,7 @@ fn by_expressions(
         Some(swivel) => [
             points(&swivel.at_run_time(model)),
             runtime::SWIVEL.to_owned(),
+            runtime::SEEN.to_owned(),
             runtime::AT_SWIVEL.to_owned(),
             runtime::INSERT.to_owned(),
             runtime::SWIVELLED.to_owned(),
@@ -338,7 +339,7 @@ fn entry(redundancy: Option<&Redundancy>, solver: &ClosedForm) -> String {
              kin_fk_links(q, links);\n    kin_fk(q, tip);\n    \
              kin_point(links + 12 * KIN_ELBOW_LINK, kin_elbow, elbow);\n    \
              kin_point(tip, kin_wrist, wrist);\n    \
-             parameters[0] = kin_swivel(elbow, wrist, 0);\n"
+             parameters[0] = kin_swivel(elbow, wrist);\n"
         }
         None => "",
     };

@@ -37,7 +37,7 @@ pub const CORRECTED: &str = include_str!("runtime/corrected.c");
 pub const ADD_CORRECTED: &str = include_str!("runtime/add_corrected.c");
 /// The swivel angle.
 pub const SWIVEL: &str = include_str!("runtime/swivel.c");
-/// The joints at a swivel angle, as a target sees them.
+/// The half plane in which a swivel angle has the elbow.
 pub const AT_SWIVEL: &str = include_str!("runtime/at_swivel.c");
 /// A branch at a swivel angle that rounding keeps from its target, behind these.
 pub const SWIVELLED: &str = include_str!("runtime/swivelled.c");

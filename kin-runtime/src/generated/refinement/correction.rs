@@ -25,10 +25,6 @@ pub fn correct_branches<const N: usize>(
     accept: &Acceptance,
 ) -> Solutions<N> {
     let reaches = |branch: &Solution<N>| branch.residual <= accept.taken;
-    let steps = match accept.is_of_design() {
-        true => STEPS_OF_DESIGN,
-        false => STEPS,
-    };
     let nearly = |branch: &Solution<N>| branch.residual <= accept.nearly;
     Solutions::build_with_prismatic(accept.prismatic, |solutions| {
         for branch in branches.clone().filter(reaches) {
@@ -38,7 +34,7 @@ pub fn correct_branches<const N: usize>(
             return;
         }
         for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
-            let found = levenberg(problem, branch.q, steps);
+            let found = levenberg(problem, branch.q, steps(accept));
             let q = core::array::from_fn(|i| {
                 let slides = accept.prismatic >> i & 1 == 1;
                 math::select(slides, found.q[i], math::wrap(found.q[i]))
@@ -54,4 +50,12 @@ pub fn correct_branches<const N: usize>(
             }
         }
     })
+}
+
+/// Evaluations at most.
+pub(super) fn steps(accept: &Acceptance) -> usize {
+    match accept.is_of_design() {
+        true => STEPS_OF_DESIGN,
+        false => STEPS,
+    }
 }

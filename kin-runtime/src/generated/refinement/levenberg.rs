@@ -45,15 +45,26 @@ pub fn levenberg<const N: usize>(
     q: [Real; N],
     steps: usize,
 ) -> Arrived<N> {
-    let mut here = Linearization::new(q, problem);
+    let linearize = |q| Linearization::new(q, problem);
+    arrive(linearize, problem.size, q, steps)
+}
+
+/// The same of whatever is missing, of an arm of this size.
+pub(super) fn arrive<const N: usize, const R: usize>(
+    linearize: impl Fn([Real; N]) -> Linearization<N, R>,
+    size: Real,
+    q: [Real; N],
+    steps: usize,
+) -> Arrived<N> {
+    let mut here = linearize(q);
     let mut miss = norm(here.error);
     let mut weight = 1.0;
     for _ in 0..steps {
-        if here.residual < tolerance::ROUNDING * problem.size || weight > 1e12 {
+        if here.residual < tolerance::ROUNDING * size || weight > 1e12 {
             break;
         }
         let step = Factor::new(&here.rows, weight * miss * miss).solve(&here.error);
-        let there = Linearization::new(core::array::from_fn(|i| here.q[i] + step[i]), problem);
+        let there = linearize(core::array::from_fn(|i| here.q[i] + step[i]));
         let next = norm(there.error);
         if next < miss {
             weight *= if next < 0.5 * miss { 0.1 } else { 1.0 };

@@ -30,17 +30,18 @@ impl<'a, F> Problem<'a, F> {
     }
 }
 
-/// A configuration as the target sees it.
-pub(super) struct Linearization<const N: usize> {
+/// A configuration as the target sees it: by the six coordinates of a pose, or with others behind
+/// them.
+pub(super) struct Linearization<const N: usize, const R: usize> {
     pub q: [Real; N],
     pub residual: Real,
-    /// What is missing, and the Jacobian's rows that make it, with lengths in
+    /// What is missing, and the rows that make it, with lengths in
     /// units of the arm's size; zero where the target does not count.
-    pub error: [Real; 6],
-    pub rows: [[Real; N]; 6],
+    pub error: [Real; R],
+    pub rows: [[Real; N]; R],
 }
 
-impl<const N: usize> Linearization<N> {
+impl<const N: usize> Linearization<N, 6> {
     pub fn new(
         q: [Real; N],
         problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,

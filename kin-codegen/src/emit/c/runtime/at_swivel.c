@@ -1,71 +1,70 @@
-/* What is given beside a target: the swivel angle, which tells one of the joints that turn the
- * elbow from the others; where the target has the wrist; and of the values of that joint with
- * the same angle, the one next to which is meant. */
-typedef struct kin_given {
-    double angle;
-    double wrist[3];
-    int joint;
-    double value;
-} kin_given;
-#define KIN_CORRECTED (KIN_JOINTS - 1)
+/* The half plane in which the swivel angle has the elbow: its direction across the line of shoulder and
+ * wrist, and its normal, to which the angle grows; zeros where it is not defined. */
+typedef struct kin_half_plane {
+    double direction[3];
+    double normal[3];
+} kin_half_plane;
 
-/* How the swivel angle changes with the joints, and how far it is off. */
-static double kin_slopes(
-    const double q[KIN_JOINTS], const kin_given *given, double slopes[KIN_JOINTS])
+static void kin_unit(double v[3])
 {
-    double links[12 * KIN_JOINTS], pose[12], jacobian[6 * KIN_JOINTS], elbow[3], gradient[3], own;
+    const double length = kin_norm(v, 3);
+    for (int i = 0; i < 3; ++i) {
+        v[i] *= 1.0 / (length > 2.2250738585072014e-308 ? length : 2.2250738585072014e-308);
+    }
+}
+
+static void kin_half_plane_of(const double target[12], double angle, kin_half_plane *plane)
+{
+    double way[3], aside[3], slope = 0.0, sine, cosine;
+    kin_point(target, kin_wrist, way);
+    for (int i = 0; i < 3; ++i) {
+        way[i] -= kin_shoulder[i];
+    }
+    kin_unit(way);
+    for (int i = 0; i < 3; ++i) {
+        slope += kin_reference[i] * way[i];
+    }
+    for (int i = 0; i < 3; ++i) {
+        aside[i] = kin_reference[i] - slope * way[i];
+    }
+    kin_unit(aside);
+    kin_sin_cos(angle, &sine, &cosine);
+    for (int i = 0; i < 3; ++i) {
+        const int a = (i + 1) % 3, b = (i + 2) % 3;
+        const double beside = way[a] * aside[b] - way[b] * aside[a];
+        plane->direction[i] = cosine * aside[i] + sine * beside;
+        plane->normal[i] = cosine * beside - sine * aside[i];
+    }
+}
+
+/* The elbow, and how far it is from the shoulder along a direction, metres. */
+static double kin_elbow_along(
+    const double q[KIN_JOINTS], const double direction[3], double elbow[3])
+{
+    double links[12 * KIN_JOINTS], along = 0.0;
     kin_fk_links(q, links);
-    kin_fk_jacobian(q, pose, jacobian);
     kin_point(links + 12 * KIN_ELBOW_LINK, kin_elbow, elbow);
-    own = kin_swivel(elbow, given->wrist, gradient);
+    for (int i = 0; i < 3; ++i) {
+        along += direction[i] * (elbow[i] - kin_shoulder[i]);
+    }
+    return along;
+}
+
+/* How far the elbow is from the plane, which is missing of it, and how the joints move it there. */
+static double kin_beside_plane(const double *q, const void *given, double row[7])
+{
+    const double *const normal = ((const kin_half_plane *)given)->normal;
+    double pose[12], jacobian[6 * KIN_JOINTS], elbow[3];
+    const double off = kin_elbow_along(q, normal, elbow);
+    kin_fk_jacobian(q, pose, jacobian);
     for (int k = 0; k < KIN_JOINTS; ++k) {
-        slopes[k] = 0.0;
+        row[k] = 0.0;
         for (int i = 0; i < 3 && k <= KIN_ELBOW_LINK; ++i) {
             const int a = (i + 1) % 3, b = (i + 2) % 3;
-            slopes[k] += gradient[i] * (jacobian[i * KIN_JOINTS + k]
+            row[k] += normal[i] * (jacobian[i * KIN_JOINTS + k]
                 + (jacobian[(3 + a) * KIN_JOINTS + k] * elbow[b]
                 - jacobian[(3 + b) * KIN_JOINTS + k] * elbow[a]));
         }
     }
-    return kin_wrap(given->angle - own);
-}
-
-/* All joint values, from those of the others than the one that the angle tells. */
-static void kin_told(
-    const double others[KIN_CORRECTED], const kin_given *given, double q[KIN_JOINTS])
-{
-    for (int i = 0; i < KIN_JOINTS; ++i) {
-        q[i] = i == given->joint ? given->value : others[i - (i > given->joint)];
-    }
-    for (int step = 0; step < 8; ++step) {
-        double slopes[KIN_JOINTS];
-        const double off = kin_slopes(q, given, slopes);
-        const double by = off / slopes[given->joint];
-        if (by != by) {
-            return;
-        }
-        q[given->joint] += by > 0.5 ? 0.5 : by < -0.5 ? -0.5 : by;
-        if (fabs(by) < 1e-15) {
-            return;
-        }
-    }
-}
-
-/* The pose of a configuration, and the spatial Jacobian of the others, which take the joint that
- * is told along. */
-static void kin_see_joints(
-    const double *others, const void *beside, double pose[12], double jacobian[6][6])
-{
-    const kin_given *const given = (const kin_given *)beside;
-    double q[KIN_JOINTS], all[6 * KIN_JOINTS], slopes[KIN_JOINTS];
-    kin_told(others, given, q);
-    kin_fk_jacobian(q, pose, all);
-    kin_slopes(q, given, slopes);
-    for (int row = 0; row < 6; ++row) {
-        for (int k = 0; k < KIN_CORRECTED; ++k) {
-            const int i = k + (k >= given->joint);
-            jacobian[row][k] = all[row * KIN_JOINTS + i]
-                + all[row * KIN_JOINTS + given->joint] * (-slopes[i] / slopes[given->joint]);
-        }
-    }
+    return -off;
 }

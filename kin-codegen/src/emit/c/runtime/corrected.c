@@ -3,7 +3,7 @@ static int kin_corrected(
     const kin_lanes *lanes, int k, const double target[12], const double *given,
     kin_solution *found)
 {
-    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given};
+    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given, 0};
     /* Those of an arm's design are farther from the solutions. */
     const int steps = KIN_TAKEN < 0.0 ? 60 : 12;
     kin_linearization here;

@@ -1,18 +1,20 @@
 /* A configuration as the target sees it: what is missing, and how the joints make it;
  * lengths in units of the arm's size, zero where the target does not count. */
 typedef struct kin_linearization {
-    double q[6];
+    double q[7];
     double residual;
-    double error[6];
-    double rows[6][6];
+    double error[7];
+    double rows[7][7];
 } kin_linearization;
 
 /* The joints that are solved for: how many, and the function that has their pose and spatial
- * Jacobian, with what is given beside a target. */
+ * Jacobian, with what is given beside a target; and, unless it is 0, one that tells what is missing
+ * of one more coordinate, metres, and how the joints make it. */
 typedef struct kin_solved_for {
     int count;
-    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][6]);
+    void (*see)(const double *q, const void *given, double pose[12], double jacobian[6][7]);
     const void *given;
+    double (*beside)(const double *q, const void *given, double row[7]);
 } kin_solved_for;
 
 /* How far a pose is from a target, as far as the target counts, metres. */
@@ -35,7 +37,7 @@ static double kin_distance(const kin_metric *by, const double pose[12], const do
 static void kin_linearize(
     const kin_metric *by, const kin_solved_for *joints, const double target[12], kin_linearization *here)
 {
-    double pose[12], jacobian[6][6];
+    double pose[12], jacobian[6][7];
     joints->see(here->q, joints->given, pose, jacobian);
     for (int i = 0; i < 3; ++i) {
         const double off = pose[4 * i + 3] - target[4 * i + 3];
@@ -65,16 +67,25 @@ static void kin_linearize(
             here->rows[3 + i][k] = by->rotation ? angular : 0.0;
         }
     }
+    if (joints->beside) {
+        const double off = joints->beside(here->q, joints->given, here->rows[6]);
+        here->error[6] = off / by->size;
+        for (int k = 0; k < joints->count; ++k) {
+            here->rows[6][k] /= by->size;
+        }
+        here->residual = sqrt(here->residual * here->residual + off * off);
+    }
 }
 
 /* The Cholesky factor of JtJ + damping, with the reciprocals of its diagonal on the
  * diagonal. */
-static void kin_factor(double rows[6][6], int count, double damping, double lower[6][6])
+static void kin_factor(
+    double rows[7][7], int height, int count, double damping, double lower[7][7])
 {
     for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) {
             lower[i][j] = i == j ? damping : 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 lower[i][j] += rows[row][i] * rows[row][j];
             }
         }
@@ -99,17 +110,18 @@ static int kin_correct(
     const kin_metric *by, const kin_solved_for *joints, const double target[12], int evaluations,
     kin_linearization *here)
 {
-    double lower[6][6], weight = 1.0, miss, least, most;
+    const int height = joints->beside ? 7 : 6;
+    double lower[7][7], weight = 1.0, miss, least, most;
     kin_linearize(by, joints, target, here);
-    miss = kin_norm(here->error, 6);
+    miss = kin_norm(here->error, height);
     for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         kin_linearization there;
         double x[6], next;
-        kin_factor(here->rows, joints->count, weight * miss * miss, lower);
+        kin_factor(here->rows, height, joints->count, weight * miss * miss, lower);
         for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;
-            for (int row = 0; row < 6; ++row) {
+            for (int row = 0; row < height; ++row) {
                 x[i] += here->rows[row][i] * here->error[row];
             }
             for (int k = 0; k < i; ++k) {
@@ -125,7 +137,7 @@ static int kin_correct(
             there.q[i] = here->q[i] + x[i];
         }
         kin_linearize(by, joints, target, &there);
-        next = kin_norm(there.error, 6);
+        next = kin_norm(there.error, height);
         if (next < miss) {
             weight *= next < 0.5 * miss ? 0.1 : 1.0;
             *here = there;
@@ -134,7 +146,7 @@ static int kin_correct(
             weight *= 8.0;
         }
     }
-    kin_factor(here->rows, joints->count, 0.0, lower);
+    kin_factor(here->rows, height, joints->count, 0.0, lower);
     least = most = lower[0][0];
     for (int i = 1; i < joints->count; ++i) {
         most = lower[i][i] > most ? lower[i][i] : most;

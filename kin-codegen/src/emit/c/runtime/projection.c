@@ -55,7 +55,7 @@ static void kin_project_target(const double target[12], double seen[12])
 /* As kin_see_joints, as projected targets see it: turns about the first axis, and of a planar arm
  * motions across it. */
 static void kin_see_projected(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double tip[12];
     kin_see_joints(solved, given, tip, jacobian);

@@ -1,7 +1,7 @@
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
  * values of joints that are given. */
 static void kin_see_joints(
-    const double *solved, const void *given, double pose[12], double jacobian[6][6])
+    const double *solved, const void *given, double pose[12], double jacobian[6][7])
 {
     double q[KIN_JOINTS], all[6 * KIN_JOINTS];
     kin_whole(solved, (const double *)given, q);

@@ -1,10 +1,9 @@
 /* The swivel angle, by elbow and wrist in base coordinates: how far the elbow is turned about
- * the line from the shoulder to the wrist, from where the reference direction points. If
- * `gradient` is not 0, how the angle changes with the elbow while the wrist rests. */
-static double kin_swivel(const double elbow[3], const double wrist[3], double *gradient)
+ * the line from the shoulder to the wrist, from where the reference direction points. */
+static double kin_swivel(const double elbow[3], const double wrist[3])
 {
-    double way[3], from[3], beside[3], ahead[3], aside[3], sine = 0.0, cosine = 0.0;
-    double length = 0.0, along = 0.0, slope = 0.0, square = 0.0;
+    double way[3], from[3], beside[3], ahead[3], sine = 0.0, cosine = 0.0;
+    double length = 0.0, slope = 0.0;
     for (int i = 0; i < 3; ++i) {
         way[i] = wrist[i] - kin_shoulder[i];
         from[i] = elbow[i] - kin_shoulder[i];
@@ -12,22 +11,16 @@ static double kin_swivel(const double elbow[3], const double wrist[3], double *g
     }
     for (int i = 0; i < 3; ++i) {
         way[i] *= 1.0 / sqrt(length);
-        along += from[i] * way[i];
         slope += kin_reference[i] * way[i];
     }
     for (int i = 0; i < 3; ++i) {
-        aside[i] = from[i] - along * way[i];
         beside[i] = kin_reference[i] - slope * way[i];
-        square += aside[i] * aside[i];
     }
     for (int i = 0; i < 3; ++i) {
         const int a = (i + 1) % 3, b = (i + 2) % 3;
         ahead[i] = way[a] * beside[b] - way[b] * beside[a];
         sine += ahead[i] * from[i];
         cosine += beside[i] * from[i];
-        if (gradient) {
-            gradient[i] = (way[a] * aside[b] - way[b] * aside[a]) / square;
-        }
     }
     return kin_atan2(sine, cosine);
 }

@@ -3,7 +3,7 @@
 static int kin_arrive_from(const double target[12], const kin_six *six, const double *given,
     int evaluations, kin_solution *solution)
 {
-    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given};
+    const kin_solved_for joints = {KIN_SOLVED, kin_see_joints, given, 0};
     kin_linearization here;
     for (int j = 0; j < KIN_SOLVED; ++j) {
         here.q[j] = kin_slides[j] ? 0.5 * KIN_ARM_SIZE * six->q[j] : six->q[j];
