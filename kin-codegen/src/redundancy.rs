@@ -17,9 +17,8 @@ pub use named::{SWIVEL, named};
 use weighed::weigh;
 pub use weighed::{Weighed, carriers, costs_as_much};
 
-/// Of so many singular targets one may be without a solution where the swivel angle is given: as that of
-/// a stretched arm with an axis or two off the point where they should meet by no more than the elbow is
-/// off its line.
+/// Of so many singular targets one may be without a solution where the swivel angle is given: one at which
+/// the elbow is off the line of shoulder and wrist by no more than their axes are off meeting.
 const SELDOM: usize = 100;
 /// Choices that are solved in search of one that has a solution at every singular target.
 const SOLVED: usize = 8;

@@ -117,3 +117,39 @@ impl Swivel {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The elbow is in the half plane of its angle, and turned further beside it, to the side of the
+    /// normal.
+    #[test]
+    fn an_elbow_is_in_the_half_plane_of_its_angle() {
+        let swivel = Swivel {
+            shoulder: [0.1, -0.2, 0.3],
+            link: 2,
+            elbow: [0.0; 3],
+            wrist: [0.0; 3],
+            reference: [0.0, 0.6, 0.8],
+        };
+        let wrist = [0.5, 0.4, 0.2];
+        for elbow in [[0.4, 0.0, 0.6], [0.2, 0.3, -0.1], [0.0, 0.2, 0.5]] {
+            let angle = swivel.of_points(elbow, wrist);
+            let from = sub(elbow, swivel.shoulder);
+            let [direction, normal] = swivel.half_plane(angle, wrist);
+            let rounding = 16.0 * Real::EPSILON;
+            assert!(dot(normal, from).abs() < rounding && dot(direction, from) > 0.1);
+            assert!(dot(normal, direction).abs() < rounding);
+            assert!((norm(normal) - 1.0).abs() < rounding);
+            let before = swivel.half_plane(angle - 0.1, wrist)[1];
+            assert!(dot(before, from) > 0.0);
+        }
+        // On the line through the shoulder along the reference, and in the shoulder, there is none.
+        for wrist in [[0.1, 0.4, 1.1], swivel.shoulder] {
+            let [direction, normal] = swivel.half_plane(0.3, wrist);
+            let all = direction.into_iter().chain(normal);
+            assert!(all.into_iter().all(Real::is_finite));
+        }
+    }
+}
