@@ -66,7 +66,7 @@ mod __Kr6R900 {
     /// 4. q4 and q5 by SP2, given q1 and q2+q3: turn a vector onto another about two axes
     /// 5. q6 by SP1, given q1, q4 and q2+q3: turn a vector onto another
     ///
-    /// 8 branches. Verified on 680 configurations: all recovered, 5046 solutions, the worst 5.5e-13 m from its target.
+    /// 8 branches. Verified on 684 configurations: all recovered, 5078 solutions, the worst 5.5e-13 m from its target.
     ///
     /// # Branches
     ///

@@ -18,6 +18,10 @@ const OFF: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
 const MEETING: f64 = 1e-3;
 /// Places of a joint at which two lines are looked at.
 const PLACES: usize = 24;
+/// Starts from which two joints are turned where those of one do not reach.
+const STARTS: usize = 12;
+/// Axes that are as near are parallel: a sine.
+const PARALLEL: f64 = 1e-9;
 /// Steps of a bisection, and of Newton's method.
 const STEPS: usize = 60;
 
@@ -84,13 +88,20 @@ impl Aligner<'_> {
         let n = self.axes.len();
         let random_ones: Vec<Vec<f64>> = configurations(self.model);
         let mut anywhere = random_ones.into_iter().cycle();
-        let mut found = Vec::new();
+        let (mut found, mut missed) = (Vec::new(), Vec::new());
         for i in 0..n {
             for j in i + 2..n {
                 let mut start = || anywhere.next().unwrap_or_default();
                 if self.turns(i) && self.turns(j) {
                     for sense in [1.0, -1.0] {
-                        found.extend(self.parallel(start(), i, j, sense, random));
+                        let nearest = self.parallel(start(), i, j, sense, random);
+                        if nearest
+                            .as_ref()
+                            .is_some_and(|q| !self.are_parallel(q, i, j))
+                        {
+                            missed.push((i, j, sense));
+                        }
+                        found.extend(nearest);
                     }
                     found.extend(self.meeting(start(), i, j, random));
                 }
@@ -102,7 +113,18 @@ impl Aligner<'_> {
                 found.extend(self.through(start, axis, &point, random));
             }
         }
+        for (i, j, sense) in missed {
+            let starts = anywhere.by_ref().take(STARTS);
+            let mut tried = starts.filter_map(|q| self.parallel(q, i, j, sense, random));
+            found.extend(tried.find(|q| self.are_parallel(q, i, j)));
+        }
         found
+    }
+
+    fn are_parallel(&self, q: &[f64], i: usize, j: usize) -> bool {
+        let moved = self.chain.displacement(i + 1..j, q);
+        let direction = moved.rotate(self.axes[j].direction);
+        norm(cross(self.axes[i].direction, direction)) < PARALLEL
     }
 
     /// The points that relations are about: where neighbours meet, on other axes that of
@@ -248,5 +270,43 @@ impl Aligner<'_> {
             q[second] -= ((uu * ve - uv * ue) / determinant).clamp(-0.5, 0.5);
         }
         Some(q)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{ArmSpec, Source};
+
+    /// Skew axes between two that can be parallel: of most configurations two joints do not reach that.
+    #[test]
+    fn axes_are_made_parallel_from_where_two_joints_reach() {
+        let text = "\
+robot: skew
+units: {angle: deg, length: m}
+dh:
+  - {name: q1, a: 0.3, alpha: 30, d: 0.1, theta: 0}
+  - {name: q2, a: 0.1, alpha: 35, d: 0.4, theta: 0}
+  - {name: q3, a: 0.2, alpha: 40, d: 0.2, theta: 0}
+  - {name: q4, a: 0.1, alpha: 25, d: 0.5, theta: 0}
+  - {name: q5, a: 0.2, alpha: 45, d: 0.1, theta: 0}
+  - {name: q6, a: 0.1, alpha: 20, d: 0.1, theta: 0}
+";
+        let source = Source {
+            path: "arm.yaml".into(),
+            text: text.into(),
+        };
+        let model = Model::new(&ArmSpec::parse(&source).unwrap(), None, None).unwrap();
+        let all = aligned(&model, Target::Pose);
+        let (axes, chain) = (axes(&model), model.chain());
+        for i in 0..4 {
+            for j in i + 3..6 {
+                let are_parallel = |q: &Vec<f64>| {
+                    let direction = chain.displacement(i + 1..j, q).rotate(axes[j].direction);
+                    norm(cross(axes[i].direction, direction)) < 1e-9
+                };
+                assert!(all.iter().any(are_parallel), "{i}, {j}");
+            }
+        }
     }
 }
