@@ -1,6 +1,6 @@
 //! Inverse kinematics of a robot.
 
-use super::of_joints::{OfJoints, array, with_capacity, with_constant};
+use super::of_joints::{OfJoints, array, with_constant, with_room};
 use super::{Answers, Robot};
 use kin_codegen::closed_form::BranchSolution;
 use kin_runtime::__private::math;
@@ -165,7 +165,11 @@ impl Robot {
     /// There are not as many as [`Robot::parameters`].
     pub fn ik_at(&self, pose: &Pose, parameters: &[f64]) -> Answers {
         let joints = self.joints();
-        with_capacity!(joints, N => {
+        self.check_parameters(parameters);
+        if parameters.is_empty() {
+            return self.ik(pose);
+        }
+        with_room!(joints, N => {
             Answers::of(joints, &self.solutions::<N>(pose, parameters, None))
         })
         .unwrap_or_default()
@@ -179,8 +183,12 @@ impl Robot {
     /// As [`Robot::ik_at`], or `seed` has not a value for each joint.
     pub fn ik_seeded_at(&self, pose: &Pose, parameters: &[f64], seed: &[f64]) -> Answers {
         self.check(seed);
+        self.check_parameters(parameters);
+        if parameters.is_empty() {
+            return self.ik_seeded(pose, seed);
+        }
         let joints = self.joints();
-        with_capacity!(joints, N => {
+        with_room!(joints, N => {
             let seed: [f64; N] = std::array::from_fn(|i| seed.get(i).copied().unwrap_or_default());
             Answers::of(joints, &self.solutions::<N>(pose, parameters, Some(&seed)))
         })
@@ -195,7 +203,11 @@ impl Robot {
         seed: &[f64],
     ) -> Option<BranchSolution> {
         self.check(seed);
-        with_capacity!(self.joints(), N => {
+        self.check_parameters(parameters);
+        if parameters.is_empty() {
+            return self.ik_nearest(pose, seed);
+        }
+        with_room!(self.joints(), N => {
             let seed: [f64; N] = std::array::from_fn(|i| seed.get(i).copied().unwrap_or_default());
             let limits = OfJoints::<N>::new(self).own_limits();
             let solutions = self.solutions::<N>(pose, parameters, Some(&seed));
@@ -250,21 +262,24 @@ impl Robot {
         }
     }
 
+    fn check_parameters(&self, parameters: &[f64]) {
+        assert_eq!(
+            parameters.len(),
+            self.parameters(),
+            "what is given beside a target"
+        );
+    }
+
     /// The solutions of a robot of N joints, or of fewer with others behind its last, which stay
-    /// at zero.
+    /// at zero; it has a parameter.
     pub(super) fn solutions<const N: usize>(
         &self,
         pose: &Pose,
         parameters: &[f64],
         seed: Option<&[f64; N]>,
     ) -> Solutions<N> {
-        assert_eq!(
-            parameters.len(),
-            self.parameters(),
-            "what is given beside a target"
-        );
         let Some((form, redundancy)) = self.arm.form().zip(self.arm.redundancy.as_ref()) else {
-            return self.isolated(pose, seed);
+            return Solutions::new();
         };
         let (pose, parameters) = self.turned(pose, parameters);
         if redundancy.swivel.is_some() {

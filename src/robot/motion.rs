@@ -1,7 +1,7 @@
 //! Velocities, forces, and how Jacobians change.
 
 use super::Robot;
-use super::of_joints::{OfJoints, array, with_capacity, with_constant};
+use super::of_joints::{OfJoints, array, with_capacity, with_constant, with_room};
 use kin_runtime::{Basis, Hessian, Jacobian, Kinematics, Manipulability, Twist, Wrench};
 
 /// What an array of N joints is on slices, of a robot that may have fewer.

@@ -32,15 +32,27 @@ pub(super) use with_constant;
 // Robots of more joints are refused by the compiler.
 const _: () = assert!(kin_codegen::spec::bounds::JOINTS == 64);
 
-/// The same with a number that is not less, up to 64: what is made of Jacobians needs
-/// no code of its own for each number of joints beyond those that have inverse kinematics.
+/// The same with a number that is not less, up to 64, and at least 8: what takes solutions and
+/// intervals of them needs no code of its own for each number of joints.
+macro_rules! with_room {
+    ($n:expr, $constant:ident => $body:expr) => {
+        match $n {
+            ..=8 => with_constant!(8, $constant => $body, 8),
+            9..=16 => with_constant!(16, $constant => $body, 16),
+            17..=32 => with_constant!(32, $constant => $body, 32),
+            _ => with_constant!(64, $constant => $body, 64),
+        }
+    };
+}
+pub(super) use with_room;
+
+/// The same with the number itself up to 8: nor does what is made of Jacobians, beyond the numbers
+/// that have inverse kinematics.
 macro_rules! with_capacity {
     ($n:expr, $constant:ident => $body:expr) => {
         match $n {
             ..=8 => with_constant!($n, $constant => $body),
-            9..=16 => with_constant!(16, $constant => $body, 16),
-            17..=32 => with_constant!(32, $constant => $body, 32),
-            _ => with_constant!(64, $constant => $body, 64),
+            _ => with_room!($n, $constant => $body),
         }
     };
 }

@@ -1,6 +1,6 @@
 //! Robots with more joints than their targets have coordinates.
 
-use super::of_joints::{OfJoints, array, with_capacity, with_constant};
+use super::of_joints::{OfJoints, array, with_constant, with_room};
 use super::{Answers, Robot};
 use kin_codegen::closed_form::BranchSolution;
 use kin_codegen::redundancy::Redundancy;
@@ -179,7 +179,7 @@ impl AlongParameter<'_> {
     /// travel of a prismatic joint.
     pub fn ik_sweep(&self, pose: &Pose, count: usize) -> Vec<Answers> {
         let joints = self.robot.joints();
-        with_capacity!(joints, N => {
+        with_room!(joints, N => {
             self.of_joints::<N, _>(pose, |arm, pose| {
                 let each = arm.ik_sweep(pose, count);
                 each.map(|solutions| Answers::of(joints, &solutions)).collect()
@@ -192,7 +192,7 @@ impl AlongParameter<'_> {
     /// [`RedundantKinematics::feasible`].
     pub fn feasible(&self, pose: &Pose) -> Vec<Interval> {
         let joints = self.robot.joints();
-        with_capacity!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
+        with_room!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
             let intervals = arm.feasible(pose);
             intervals.iter().map(|interval| Interval::of(joints, interval)).collect()
         }))
@@ -208,7 +208,7 @@ impl AlongParameter<'_> {
         let joints = self.robot.joints();
         assert_eq!(limits.len(), joints, "a limit for each joint");
         let limit = |i| limits.get(i).copied().unwrap_or(JointLimit::Continuous);
-        with_capacity!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
+        with_room!(joints, N => self.of_joints::<N, _>(pose, |arm, pose| {
             let intervals = arm.feasible_within(pose, &std::array::from_fn(limit));
             intervals.iter().map(|interval| Interval::of(joints, interval)).collect()
         }))

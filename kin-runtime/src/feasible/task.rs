@@ -119,13 +119,8 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     }
 
     /// The joints that move, in the order of the coordinates.
-    fn moving(&self) -> &[usize] {
+    pub fn moving(&self) -> &[usize] {
         &self.moving.0[..self.moving.1]
-    }
-
-    /// The coordinate that is the value of a joint that moves.
-    pub fn coordinate(&self, joint: usize) -> usize {
-        place(self.moving(), joint)
     }
 
     /// Whether a coordinate is an angle.
