@@ -47,5 +47,3 @@ pub const ROUNDING: Real = 1e-14;
 pub const SINGULAR: Real = 1e-5;
 /// Rounding may leave the square of a singular pivot below zero.
 pub const PIVOT: Real = 1e-20;
-/// What Newton's method may leave of an angle, radians.
-pub const ANGLE: Real = 1e-15;

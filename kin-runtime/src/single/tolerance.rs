@@ -50,5 +50,3 @@ pub const ROUNDING: Real = 5e-7;
 pub const SINGULAR: Real = 3e-3;
 /// Rounding may leave the square of a singular pivot below zero.
 pub const PIVOT: Real = 1e-12;
-/// What Newton's method may leave of an angle, radians.
-pub const ANGLE: Real = 5e-7;
