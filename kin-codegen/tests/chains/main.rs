@@ -11,6 +11,7 @@ mod structures;
 
 mod arbitrary;
 mod fewer_joints;
+mod nearly_parallel_slides;
 mod noisy;
 mod sliding;
 mod spherical_wrist;

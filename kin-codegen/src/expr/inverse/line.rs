@@ -37,14 +37,18 @@ impl Writer<'_> {
         let [a, b, c] = columns[..] else {
             return Vec::new();
         };
-        let volume = self.volume(a, b, c);
+        let whole = self.volume(a, b, c);
         let one = self.g.one();
-        let inverse = self.g.div(one, volume);
+        let inverse = self.g.div(one, whole);
         let volumes = [(gap, b, c), (a, gap, c), (a, b, gap)];
         let mut travels: Vec<Expr> = Vec::new();
         for (a, b, c) in volumes.into_iter().take(along.len()) {
             let volume = self.volume(a, b, c);
-            travels.push(self.g.mul(volume, inverse));
+            let travel = self.g.mul(volume, inverse);
+            if self.g.value(whole).is_none() {
+                self.refuse_beyond_digits(travel);
+            }
+            travels.push(travel);
         }
         travels
     }

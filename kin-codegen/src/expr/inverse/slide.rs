@@ -7,6 +7,9 @@ use crate::expr::Expr;
 use crate::expr::linear::Vector;
 use crate::plan::{Atom, Relation, Subproblem};
 
+/// So many times the rounding of a joint's travel is within what solutions may miss a target by.
+const ROUNDINGS: f64 = 8.0;
+
 impl Writer<'_> {
     /// A sliding joint.
     pub(super) fn slide_to(&mut self, subproblem: Subproblem, relation: &Relation, joint: usize) {
@@ -83,6 +86,21 @@ impl Writer<'_> {
         let seeded = self.seeded_joint(joint);
         let seeded = seeded.unwrap_or_else(|| self.g.zero());
         let travel = self.g.div(rest, rate);
-        self.g.select_less(square, nothing, seeded, travel)
+        let travel = self.g.select_less(square, nothing, seeded, travel);
+        self.refuse_beyond_digits(travel);
+        travel
+    }
+
+    /// Drops the branches in which a joint slides so far that rounding of its travel alone leaves the
+    /// tip off the target: slides that are nearly parallel, or across what they change, make up for
+    /// little by much.
+    pub(super) fn refuse_beyond_digits(&mut self, travel: Expr) {
+        let digits = self.tolerances.accepted / (ROUNDINGS * self.tolerances.epsilon);
+        let far = self.g.constant(digits * self.linkage.size);
+        let back = self.g.neg(travel);
+        let length = self.g.max(travel, back);
+        let [zero, one] = [self.g.zero(), self.g.one()];
+        let invalid = self.g.select_less(far, length, one, zero);
+        self.refuse(invalid);
     }
 }
