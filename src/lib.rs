@@ -73,6 +73,6 @@ macro_rules! guides {
 pub mod guide {
     guides! {
         methods solutions redundancy singularities closed_forms single_precision
-        files mechanisms noise verification speed tables run_time c pictures
+        files mechanisms noise verification speed tables run_time c javascript pictures
     }
 }

@@ -20,7 +20,7 @@ Exit codes:
   0  all is well
   1  a robot file or an option is wrong, or a file cannot be read or written
   2  the command line is wrong
-  3  the arm has no closed form
+  3  the arm has no closed form (explain says why, and ends with 0)
   4  generate --check: the checked-in code is stale
   5  check --targets or --at: the closed form lost solutions, or gave
      wrong ones

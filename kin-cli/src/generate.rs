@@ -24,6 +24,14 @@ pub fn run(arguments: &Generate) -> Done {
         Ok(source) => source,
         Err(diagnostics) => return Done::failing(Exit::Broken, diagnostics),
     };
+    if let (Language::C, Some(folder)) = (&arguments.lang, &arguments.output)
+        && folder.extension().is_some_and(|it| it == "c" || it == "h")
+    {
+        let shown = one_line(&folder.to_string_lossy());
+        let reason = format!("C is two files in one folder, and `{shown}` is named as a file");
+        let remedy = "give the folder, such as `-o src`: the files are named after the robot";
+        return Done::failing(Exit::Usage, format!("{reason}\nhelp: {remedy}"));
+    }
     let generated = match arguments.lang {
         Language::Rust => rust(&source, &options, arguments.output.as_ref()),
         Language::Js => js(&source, &options, arguments.output.as_ref()),

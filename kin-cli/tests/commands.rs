@@ -112,6 +112,22 @@ fn a_tool_is_part_of_what_is_generated() {
     );
 }
 
+/// Two files go into a folder, which nobody means by such a name.
+#[test]
+fn c_is_not_written_to_one_file() {
+    let file = temporary("scara.c");
+    let path = file.to_str().unwrap();
+    let output = kin(&["generate", "robots/scara.yaml", "--lang", "c", "-o", path]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).starts_with("C is two files in one folder, and `")
+            && stderr(&output).contains("help: give the folder, such as `-o src`"),
+        "{}",
+        stderr(&output)
+    );
+    assert!(!file.exists());
+}
+
 #[test]
 fn c_is_written_as_two_files() {
     let folder = temporary("c");

@@ -270,7 +270,7 @@ impl CompiledArm {
     /// Determinant and singularities; none if no square Jacobian is there.
     pub fn singular(&self) -> Option<&Singular> {
         let build = || {
-            // One with joints to spare was idealized for the others alone.
+            // A redundant one was idealized for the others alone.
             let whole = self.form().filter(|_| self.redundancy.is_none());
             let idealized = whole.filter(|form| !form.is_exact());
             let idealized = idealized.map(|form| &form.idealized.model);

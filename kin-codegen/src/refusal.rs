@@ -265,7 +265,7 @@ fn why_coupled(model: &Model, coupled: &Coupled) -> String {
                  counted, and those that do the same once: this has {joints}"
             )
         }
-        Coupled::Redundant => ", and of joints to spare only those in front of all that mimic others or are mimicked can \
+        Coupled::Redundant => ", and of a redundant arm only joints in front of all that mimic others or are mimicked can \
              stay free then"
                 .into(),
         Coupled::Geared(name) => {
@@ -294,9 +294,7 @@ fn only_in_double(lack: Lack) -> &'static str {
              coefficients take more digits than f32 has"
         }
         Lack::Quartic => "its plan asks for the roots of a quartic, which are there in f64 alone",
-        Lack::Parameter => {
-            "it has joints to spare, and what is given beside a target is for f64 alone"
-        }
+        Lack::Parameter => "it is redundant, and what is given beside a target is for f64 alone",
         Lack::Digits => {
             "a step of its plan is ill-conditioned where the arm is regular, and with the digits of \
              f32 solutions are lost there"

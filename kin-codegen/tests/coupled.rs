@@ -409,7 +409,7 @@ fn refusals_say_why() {
         "{said}"
     );
     let said = refused(&snake);
-    let why = "of joints to spare only those in front of all that mimic others or are mimicked can stay free";
+    let why = "of a redundant arm only joints in front of all that mimic others or are mimicked can stay free";
     assert!(said.contains(why), "{said}");
     let rail = "name: rail, axis: [0, 1, 0], type: prismatic, limits: [0, 3]";
     let said = refused(&[&[rail], &snake[..7]].concat());

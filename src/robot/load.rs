@@ -74,13 +74,15 @@ impl Jacobians {
 }
 
 impl Robot {
-    /// Reads a URDF file.
+    /// Reads a URDF file. What a file is in is decided as everywhere: by the ending of its name,
+    /// and by its first character where that says nothing.
     ///
     /// # Errors
     ///
     /// The file cannot be read, something is wrong with it, or its robot has no closed form.
     pub fn from_urdf(path: impl AsRef<Path>) -> Result<Self, Error> {
-        Self::load(&read(path.as_ref(), "urdf")?, &Options::default())
+        let source = Source::read(&path.as_ref().to_string_lossy(), Path::new(""))?;
+        Self::load(&source, &Options::default())
     }
 
     /// Reads a YAML file.
@@ -89,7 +91,7 @@ impl Robot {
     ///
     /// As [`Robot::from_urdf`].
     pub fn from_yaml(path: impl AsRef<Path>) -> Result<Self, Error> {
-        Self::load(&read(path.as_ref(), "yaml")?, &Options::default())
+        Self::from_urdf(path)
     }
 
     /// Reads a robot with options: base and tip, `target`, `free`, without inverse kinematics,
@@ -228,14 +230,4 @@ impl FromStr for Robot {
         };
         Self::load(&source, &Options::default())
     }
-}
-
-/// A file that is read in a format whatever its name.
-fn read(path: &Path, format: &str) -> Result<Source, Error> {
-    let name = path.to_string_lossy();
-    let mut source = Source::read(&name, Path::new(""))?;
-    if path.extension().is_none_or(|extension| extension != format) {
-        source.path = format!("{name}.{format}");
-    }
-    Ok(source)
 }

@@ -61,7 +61,7 @@ pub fn run(arguments: &arguments::Workspace) -> Done {
     }
 }
 
-/// An arm, if it has joints to spare.
+/// An arm, if it is redundant.
 fn redundant(
     arm: &CompiledArm,
     source: &Source,

@@ -1,4 +1,4 @@
-//! Arms with joints to spare on the map: what is given beside a target is tried at several values.
+//! Redundant arms on the map: what is given beside a target is tried at several values.
 
 use super::arm::is_within;
 use super::map;

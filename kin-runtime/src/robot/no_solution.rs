@@ -23,8 +23,8 @@ pub enum NoSolution<const N: usize> {
         /// [`Kinematics::ik_approximate`]. None of an arm with a parameter.
         approximate: Option<Solution<N>>,
     },
-    /// The robot has joints to spare, so that a target alone has infinitely many solutions: use
-    /// the method that takes the parameters. Of robots that are loaded when the program runs.
+    /// The robot is redundant, so that a target alone has infinitely many solutions: use the
+    /// method that takes the parameters. Of robots that are loaded when the program runs.
     NeedsParameters {
         /// How many.
         count: usize,
@@ -36,7 +36,7 @@ pub enum NoSolution<const N: usize> {
     OutsideLimits {
         /// The solution that is least outside.
         solution: Solution<N>,
-        /// The joint that is furthest beyond a stop there, from 0.
+        /// The joint that is furthest beyond a limit there, from 0.
         joint: usize,
         /// How far, radians or metres.
         by: Real,
@@ -138,7 +138,10 @@ impl<const N: usize> fmt::Display for NoSolution<N> {
         match self {
             Self::NotFinite => f.write_str("the target, or the parameter, is not a number"),
             Self::NotRotation { error } => {
-                write!(f, "the target's rotation is off one by {error:.1e}")
+                write!(
+                    f,
+                    "the target's matrix is not a rotation: it is off by {error:.1e}"
+                )
             }
             Self::OutOfReach { approximate } => {
                 f.write_str("the target is out of reach")?;

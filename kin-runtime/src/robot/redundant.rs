@@ -36,7 +36,7 @@ pub enum Parameter {
 /// Where the joints that are not given are singular and the arm is not, the internal motion has
 /// no share of the parameter: solutions meet, and a feasible interval ends. Where the arm is
 /// singular, it has more than one internal motion. The guide to singularities has a section on
-/// both, with the methods that measure, avoid and follow them ("Arms with joints to spare");
+/// both, with the methods that measure, avoid and follow them ("Redundant arms");
 /// they are those of [`Kinematics`]: [`manipulability`](Kinematics::manipulability),
 /// [`internal_motions`](Kinematics::internal_motions),
 /// [`null_space_projection`](Kinematics::null_space_projection).

@@ -10,7 +10,7 @@ use super::super::types::limits::JointLimit;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Solution<const N: usize> {
-    /// Joint values: radians in (−π, π] for revolute joints, metres for
+    /// Joint values: radians in (−π, π] for revolute joints (but those that mimic others), metres for
     /// prismatic ones.
     #[cfg_attr(feature = "serde", serde(with = "crate::convert::array"))]
     pub q: [Real; N],
