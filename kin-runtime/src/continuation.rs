@@ -6,7 +6,7 @@ use crate::RANK_TOLERANCE;
 use crate::linear::span::Span;
 use crate::linear::vector::{dot, norm};
 use crate::math;
-use crate::types::Pose;
+use crate::types::{Jacobian, Pose, Twist};
 
 /// Newton's method from a good prediction takes 3 or 4 steps.
 const NEWTON_STEPS: usize = 10;
@@ -43,11 +43,16 @@ pub(crate) struct Equations<const D: usize, const R: usize> {
 }
 
 impl<const D: usize, const R: usize> Equations<D, R> {
-    /// How far a target or the links of an arm are from the base.
-    pub fn size(target: &Pose, links: &[Pose]) -> f64 {
-        let distance = |pose: &Pose| norm(pose.translation);
-        let all = links.iter().map(distance);
-        all.fold(distance(target), math::max)
+    /// How far a target, the axes of an arm, or what slides on it is from the base: of joint values
+    /// with their spatial Jacobian.
+    pub fn size<const N: usize>(target: &Pose, spatial: &Jacobian<N>, q: &[f64; N]) -> f64 {
+        let far = |(twist, q): (Twist, &f64)| match norm(twist.angular) {
+            0.0 => q.abs(),
+            // The moment of an axis; a gear makes it no farther away.
+            rate => norm(twist.linear) / rate.max(1.0),
+        };
+        let all = spatial.columns().into_iter().zip(q).map(far);
+        all.fold(norm(target.translation), math::max)
     }
 
     /// Of the rows, of coordinates that rest, and of one row more; what the others leave of a row
@@ -108,4 +113,32 @@ pub(crate) fn along<const D: usize>(x: &[f64; D], d: &[f64; D], t: f64) -> [f64;
 /// A unit vector.
 pub(crate) fn unit<const D: usize>(i: usize) -> [f64; D] {
     core::array::from_fn(|j| f64::from(u8::from(i == j)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Pose;
+
+    #[test]
+    fn a_gear_and_the_unit_of_a_prismatic_joint_do_not_count() {
+        let at = |x: f64, rate: f64| Twist {
+            linear: [0.0, -x * rate, 0.0],
+            angular: [0.0, 0.0, rate],
+        };
+        let prismatic = Twist {
+            linear: [0.0, 0.0, 1.0],
+            angular: [0.0; 3],
+        };
+        let size = |columns: [Twist; 2], target: f64, q: [f64; 2]| {
+            let target = Pose::from_translation([target, 0.0, 0.0]);
+            Equations::<2, 6>::size(&target, &Jacobian::from_columns(columns), &q)
+        };
+        assert_eq!(size([at(2.0, 1.0), prismatic], 0.1, [9.0, -0.5]), 2.0);
+        assert_eq!(size([at(0.0, 1.0), prismatic], 0.1, [9.0, -0.5]), 0.5);
+        assert_eq!(size([at(0.2, 50.0), prismatic], 0.1, [9.0, 0.0]), 0.2);
+        assert_eq!(size([at(0.2, 1.0), prismatic], 3.0, [9.0, 0.0]), 3.0);
+        // Axes that are parallel but for rounding, and turn against each other.
+        assert!(size([at(3e5, 1e-8), prismatic], 0.1, [9.0, 0.0]) < 0.2);
+    }
 }

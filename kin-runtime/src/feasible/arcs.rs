@@ -62,11 +62,12 @@ pub(super) fn arcs<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         before = next;
     }
     if turns {
-        let mut last = first.clone();
-        last.parameter += TAU;
-        for place in &mut last.places {
-            place.x[task.parameter] = last.parameter;
+        let parameter = first.parameter + TAU;
+        let mut places = first.places.clone();
+        for place in &mut places {
+            place.x[task.parameter] = parameter;
         }
+        let last = Sample::new(parameter, places);
         tracker.go_on(&before, &last);
     }
     tracker.finish(first.places.len(), turns)
@@ -216,7 +217,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         let parameter = self.task.parameter;
         let slack = 1e-12;
         let find = |&k: &usize| {
-            let fold = self.task.extremum(parameter, &sample.places[k], sense)?;
+            let fold = self.task.fold(sample, k, sense)?;
             let inside = (from - slack..=to + slack).contains(&fold[parameter]);
             inside.then_some(fold)
         };

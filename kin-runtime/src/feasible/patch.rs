@@ -18,6 +18,8 @@ const STEPS: usize = 12;
 const STILL: f64 = 1e-9;
 /// How far beyond the rectangle it goes on, as a share.
 const BEYOND: f64 = 0.5;
+/// What rows count for at shares of the side along s: those at which h is looked at.
+const PLACES: [[f64; POINTS]; 5] = [basis(0.5), basis(0.0), basis(1.0), basis(0.25), basis(0.75)];
 /// Beyond the rectangle by this share is on it.
 const SLACK: f64 = 1e-3;
 
@@ -99,14 +101,14 @@ impl Patch {
             let found = self.newton(|[[g, by_t, by_tt], [by_s, by_st, _], _]| {
                 ([*g, *by_t], [[*by_s, *by_t], [*by_st, *by_tt]])
             });
-            return found.map_or(Folds::Unknown, |(s, _)| Folds::One(s));
+            return found.map_or_else(|| self.undecided(), |(s, _)| Folds::One(s));
         }
         let [p, n] = [POINTS - 1, self.count - 1].map(|degree| degree as f64);
         let growth = growth.scaled(p * (p - 1.0));
         let bend = bend.scaled(n * (n - 1.0));
         let twist = twist.scaled(p * n);
         let Some(sign) = growth.times(bend).minus(twist.square()).sign() else {
-            return Folds::Unknown;
+            return self.undecided();
         };
         let steady = self.newton(|[[_, by_t, by_tt], [by_s, by_st, _], [by_ss, ..]]| {
             ([*by_s, *by_t], [[*by_ss, *by_st], [*by_st, *by_tt]])
@@ -116,6 +118,44 @@ impl Patch {
             Some((_, g)) if g * sign * bend.least > 0.0 => Folds::None,
             _ => Folds::Unknown,
         }
+    }
+
+    /// Where h is rounding at all places, two solutions have the same θ, or nearly, at all s, as
+    /// those of an arm do whose file rounds a closed form away: halves tell no more of them.
+    fn undecided(&self) -> Folds {
+        let mut is_seen = false;
+        let is_rounding = PLACES.iter().all(|place| {
+            let h = self.height(place);
+            is_seen |= h.is_some();
+            h.is_none_or(|h| h.abs() <= self.noise)
+        });
+        match is_rounding && is_seen {
+            true => Folds::Touching(0.5 * (self.s[0] + self.s[1])),
+            false => Folds::Unknown,
+        }
+    }
+
+    /// h where rows count for so much; none if t(s) is beyond the rectangle.
+    fn height(&self, shares: &[f64; POINTS]) -> Option<f64> {
+        let mut row = [0.0; COEFFICIENTS];
+        for (share, own) in shares.iter().zip(&self.rows) {
+            for (x, own) in row.iter_mut().zip(own).take(self.count) {
+                *x += share * own;
+            }
+        }
+        let mut t = 0.5;
+        for _ in 0..STEPS {
+            let [g, by_t, by_tt] = jet(&row[..self.count], t);
+            let step = by_t / by_tt;
+            t -= step;
+            if !(-BEYOND..=1.0 + BEYOND).contains(&t) {
+                return None;
+            }
+            if step.abs() < STILL {
+                return Some(g);
+            }
+        }
+        None
     }
 
     /// Newton's method from the middle for two functions of what [`Self::jet`] gives, with
@@ -155,6 +195,23 @@ impl Patch {
         let along = columns.map(|column| jet(&column, s));
         core::array::from_fn(|i| along.map(|column| column[i]))
     }
+}
+
+/// Bernstein's polynomials at a share of their interval.
+const fn basis(at: f64) -> [f64; POINTS] {
+    let mut out = [0.0; POINTS];
+    out[0] = 1.0;
+    let mut degree = 1;
+    while degree < POINTS {
+        let mut i = degree;
+        while i > 0 {
+            out[i] = at * out[i - 1] + (1.0 - at) * out[i];
+            i -= 1;
+        }
+        out[0] *= 1.0 - at;
+        degree += 1;
+    }
+    out
 }
 
 /// A polynomial by its coefficients, at a share of its interval, with its first two derivatives.
@@ -259,6 +316,28 @@ mod tests {
         );
         let s: f64 = touching[0];
         assert!((0.4 + s.sin() - 0.3 + 0.7 * s).abs() < 1e-6, "{s}");
+    }
+
+    /// Both solutions of a rounded closed form, all along: halves would go on to the shortest.
+    #[test]
+    fn curves_that_are_double_are_not_followed() {
+        for apart in [0.0, 1e-6] {
+            let f = |s: f64| {
+                let t = 0.1 + 0.2 * s + 0.3 * s * s * s;
+                [(t - apart) * (t + apart), -2.0 * t, 1.0]
+            };
+            let (mut looked_at, mut touching) = (0, 0);
+            let mut waiting = alloc::vec![of(f, 1e-11)];
+            while let Some(patch) = waiting.pop() {
+                looked_at += 1;
+                match patch.folds() {
+                    Folds::Unknown => waiting.extend(patch.halves([1e-4; 2]).unwrap()),
+                    Folds::One(s) => panic!("{s}"),
+                    found => touching += usize::from(found != Folds::None),
+                }
+            }
+            assert!(touching > 0 && looked_at < 200, "{touching} of {looked_at}");
+        }
     }
 
     /// A branch that does not turn, two that stay apart, and none.

@@ -1,10 +1,11 @@
 //! All solutions at one value of the parameter, and how those at two belong together.
 
-use super::task::{Place, Task, WIDTH};
+use super::task::{Place, Point, Task, WIDTH};
 use crate::RedundantKinematics;
 use crate::continuation::along;
 use crate::linear::vector::norm;
 use alloc::vec::Vec;
+use core::cell::OnceCell;
 
 /// How far solutions of neighbouring samples may be apart, radians and metres.
 const FAR: f64 = 0.6;
@@ -23,6 +24,19 @@ const DEPENDENT: f64 = 1e-6;
 pub(super) struct Sample {
     pub parameter: f64,
     pub places: Vec<Place>,
+    /// By place, the folds to where the parameter falls and to where it grows, once looked for.
+    folds: Vec<[OnceCell<Option<Point>>; 2]>,
+}
+
+impl Sample {
+    pub fn new(parameter: f64, places: Vec<Place>) -> Self {
+        let folds = places.iter().map(|_| Default::default()).collect();
+        Self {
+            parameter,
+            places,
+            folds,
+        }
+    }
 }
 
 /// Which places of two samples are on one arc, and which of either are not carried over.
@@ -39,12 +53,16 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let points = solutions
             .iter()
             .map(|found| self.point(&found.q, parameter));
-        Sample {
-            parameter,
-            places: points
-                .filter_map(|x| self.place_where(x, DEPENDENT))
-                .collect(),
-        }
+        let places = points.filter_map(|x| self.place_where(x, DEPENDENT));
+        Sample::new(parameter, places.collect())
+    }
+
+    /// The fold that a place comes to where the parameter grows (`sense` 1) or falls (−1), which
+    /// every neighbour of the sample asks for.
+    pub fn fold(&self, sample: &Sample, place: usize, sense: f64) -> Option<Point> {
+        let [falling, growing] = &sample.folds[place];
+        let known = if sense > 0.0 { growing } else { falling };
+        *known.get_or_init(|| self.extremum(self.parameter, &sample.places[place], sense))
     }
 
     /// Pairs places whose tangents lead from one to the other and to no third.

@@ -160,8 +160,8 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     }
 
     fn equations(&self, x: &Point) -> Equations<WIDTH, EQUATIONS> {
-        let (pose, spatial) = self.robot.fk_jacobian(&self.q(x));
-        let links = self.robot.fk_links(&self.q(x));
+        let q = self.q(x);
+        let (pose, spatial) = self.robot.fk_jacobian(&q);
         let geometric = spatial.spatial_to_geometric(&pose);
         let turn = match self.of {
             Parameter::Joint(_) | Parameter::Swivel(_) => self.robot.held_turn(),
@@ -178,7 +178,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         let mut missing = [0.0; EQUATIONS];
         missing[..6].copy_from_slice(&self.counts.missing(&pose, &target).to_array());
         if let Some((swivel, held)) = self.swivel {
-            let (row, angle) = swivel.row(&links, &pose, &spatial);
+            let (row, angle) = swivel.row(&self.robot.fk_links(&q), &pose, &spatial);
             for (k, &joint) in self.moving().iter().enumerate() {
                 rows[6][k] = row[joint];
             }
@@ -196,7 +196,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
         Equations {
             rows,
             missing,
-            size: Equations::<WIDTH, EQUATIONS>::size(&target, &links),
+            size: Equations::<WIDTH, EQUATIONS>::size(&target, &spatial, &q),
         }
     }
 

@@ -31,7 +31,7 @@ impl<K: Kinematics<N>, const N: usize> FixedTip<'_, K, N> {
         Equations {
             rows: counts.counting_rows(&pose, &geometric).rows,
             missing: counts.missing(&pose, &self.target).to_array(),
-            size: Equations::<N, 6>::size(&self.target, &self.robot.fk_links(q)),
+            size: Equations::<N, 6>::size(&self.target, &spatial, q),
         }
     }
 
