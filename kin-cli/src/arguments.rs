@@ -24,7 +24,9 @@ Exit codes:
   4  generate --check: the checked-in code is stale
   5  check --targets or --at: the closed form lost solutions, or gave
      wrong ones
-  6  the file has several robots: name base and tip";
+  6  the file has several robots: name base and tip
+
+Errors name options as `kinematics!` takes them: `name = Arm` there is `--name Arm` here.";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
