@@ -4,12 +4,11 @@ use super::change::change;
 use super::curve::{Curve, Part};
 use super::interpolant::Cosines;
 use super::lanes::AMID;
-use super::task::{Point, Task};
+use super::memo::Memo;
+use super::task::Task;
 use super::zeros::zeros;
 use crate::{JointLimit, RedundantKinematics, math};
-use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
-use core::cell::RefCell;
 use core::f64::consts::PI;
 
 /// Pieces of a curve to begin with.
@@ -116,13 +115,8 @@ fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     curve: &Curve,
     stops: &[JointLimit; N],
 ) -> Vec<f64> {
-    let known: RefCell<BTreeMap<u64, Option<Point>>> = RefCell::default();
-    let at = |variable: f64| {
-        let mut known = known.borrow_mut();
-        *known
-            .entry(variable.to_bits())
-            .or_insert_with(|| task.on(curve, curve.parameter(variable)))
-    };
+    let known = Memo::new();
+    let at = |variable: f64| known.at(variable, || task.on(curve, curve.parameter(variable)));
     let cosines = Cosines::new();
     let whole = curve.whole();
     let mut found = Vec::new();

@@ -24,6 +24,7 @@ mod interpolant;
 mod interval;
 mod lanes;
 mod limits;
+mod memo;
 mod patch;
 mod sample;
 mod signs;

@@ -1,5 +1,6 @@
 //! The equations of a target, in all joints and the parameter.
 
+use super::memo::Memo;
 use crate::continuation::{Cut, Equations, meet};
 use crate::linear::vector::norm;
 use crate::scalar::tolerance::ROTATION;
@@ -7,8 +8,6 @@ use crate::{
     JointLimit, Parameter, Pose, RANK_TOLERANCE, RedundantKinematics, Solutions, Swivel, Target,
     math,
 };
-use alloc::collections::BTreeMap;
-use core::cell::RefCell;
 
 /// Coordinates of a point: the values of the joints that move, then the parameter unless it is one
 /// of these joints; what is left is zero. A target leaves one way to go to seven joints at most, or
@@ -20,9 +19,6 @@ const EQUATIONS: usize = 7;
 
 /// The places of coordinates.
 const PLACES: [usize; WIDTH] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
-
-/// Values of the parameter whose solutions are kept, a kilobyte each.
-const KNOWN: usize = 4096;
 
 /// What a robot has to reach.
 pub(super) struct Task<'a, K: ?Sized, const N: usize> {
@@ -47,7 +43,7 @@ pub(super) struct Task<'a, K: ?Sized, const N: usize> {
     /// What counts: with a turn of the tool, a target is a whole pose.
     counts: Target,
     /// Solutions by the parameter: branches over the same interval ask for the same.
-    solved: RefCell<BTreeMap<u64, Solutions<N>>>,
+    solved: Memo<Solutions<N>>,
 }
 
 /// A point of a curve, and the unit vector along it, to where the parameter grows.
@@ -92,7 +88,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
                     .map(|(swivel, angle)| (swivel, Some(angle))),
             },
             counts: robot.own_target_at(),
-            solved: RefCell::default(),
+            solved: Memo::new(),
         }
     }
 
@@ -107,15 +103,8 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
 
     /// All solutions at a value of the parameter.
     pub fn solutions(&self, value: f64) -> Solutions<N> {
-        let mut solved = self.solved.borrow_mut();
-        if let Some(known) = solved.get(&value.to_bits()) {
-            return *known;
-        }
-        let solutions = self.robot.ik_at(self.target, value);
-        if solved.len() < KNOWN {
-            solved.insert(value.to_bits(), solutions);
-        }
-        solutions
+        self.solved
+            .at(value, || self.robot.ik_at(self.target, value))
     }
 
     /// The joints that move, in the order of the coordinates.
