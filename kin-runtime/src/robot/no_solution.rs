@@ -136,20 +136,24 @@ fn least<'a, const N: usize>(
 impl<const N: usize> fmt::Display for NoSolution<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite => f.write_str("the target, or the parameter, is not a number"),
-            Self::NotRotation { error } => {
-                write!(
-                    f,
-                    "the target's matrix is not a rotation: it is off by {error:.1e}"
-                )
+            Self::NotFinite => {
+                f.write_str("an entry of the target, or the parameter, is not a finite number")
             }
-            Self::OutOfReach { approximate } => {
-                f.write_str("the target is out of reach")?;
-                match approximate {
-                    Some(near) => write!(f, " by about {:.1e} m", near.residual),
-                    None => f.write_str(", or is with the parameter's value"),
-                }
-            }
+            Self::NotRotation { error } => write!(
+                f,
+                "the target's matrix is off a rotation by {error:.1e}: if that is rounding, \
+                 `Pose::orthonormalized` mends it"
+            ),
+            Self::OutOfReach {
+                approximate: Some(near),
+            } => write!(
+                f,
+                "the target is out of reach by about {:.1e} m: `ik_approximate` has what comes near",
+                near.residual
+            ),
+            Self::OutOfReach { approximate: None } => f.write_str(
+                "no configuration reaches the target, or none with the parameter's value",
+            ),
             Self::NeedsParameters { count } => write!(
                 f,
                 "a target leaves so many parameters of the robot open: {count}; `ik_nearest_at` takes \
@@ -160,14 +164,84 @@ impl<const N: usize> fmt::Display for NoSolution<N> {
             ),
             Self::OutsideLimits { joint, by, .. } => write!(
                 f,
-                "joint {} is beyond its limits by {by:.1e} rad or m",
+                "the target is reached outside the limits alone: joint {} would be {by:.1e} rad or m \
+                 beyond them",
                 joint + 1
             ),
-            Self::BeyondStep { joint, by, .. } => {
-                write!(f, "joint {} moves by {by:.1e} rad or m too much", joint + 1)
-            }
+            Self::BeyondStep { joint, by, .. } => write!(
+                f,
+                "the target takes longer steps than allowed: joint {} would move {by:.1e} rad or m \
+                 too far",
+                joint + 1
+            ),
         }
     }
 }
 
 impl<const N: usize> core::error::Error for NoSolution<N> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::string::ToString;
+
+    #[test]
+    fn every_reason_says_what_to_do() {
+        let solution = Solution {
+            q: [0.0],
+            residual: 0.5,
+            branch: 0,
+            singular: false,
+        };
+        let (joint, by) = (0, 0.25);
+        let approximate = Some(solution);
+        let texts = [
+            (
+                NoSolution::NotFinite,
+                "an entry of the target, or the parameter, is not a finite number",
+            ),
+            (
+                NoSolution::NotRotation { error: 0.25 },
+                "the target's matrix is off a rotation by 2.5e-1: if that is rounding, \
+                 `Pose::orthonormalized` mends it",
+            ),
+            (
+                NoSolution::OutOfReach { approximate },
+                "the target is out of reach by about 5.0e-1 m: `ik_approximate` has what comes near",
+            ),
+            (
+                NoSolution::OutOfReach { approximate: None },
+                "no configuration reaches the target, or none with the parameter's value",
+            ),
+            (
+                NoSolution::NeedsParameters { count: 2 },
+                "a target leaves so many parameters of the robot open: 2; `ik_nearest_at` takes them",
+            ),
+            (
+                NoSolution::WithoutInverse,
+                "the robot was loaded without inverse kinematics: leave out `ik = none`",
+            ),
+            (
+                NoSolution::OutsideLimits {
+                    solution,
+                    joint,
+                    by,
+                },
+                "the target is reached outside the limits alone: joint 1 would be 2.5e-1 rad or m \
+                 beyond them",
+            ),
+            (
+                NoSolution::BeyondStep {
+                    solution,
+                    joint,
+                    by,
+                },
+                "the target takes longer steps than allowed: joint 1 would move 2.5e-1 rad or m too \
+                 far",
+            ),
+        ];
+        for (reason, text) in texts {
+            assert_eq!(reason.to_string(), text);
+        }
+    }
+}
