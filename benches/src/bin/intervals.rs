@@ -14,6 +14,10 @@ use std::time::Instant;
 kinematics::kinematics!("../robots/panda.yaml");
 kinematics::kinematics!("../robots/panda.yaml", name = PandaByWrist, free = "joint6");
 kinematics::kinematics!("../robots/iiwa14.yaml", free = "joint_a7");
+kinematics::kinematics!(
+    "../tests/robots/redundant/stray_iiwa.yaml",
+    free = "joint_a7"
+);
 kinematics::kinematics!("../robots/ur5e.urdf", target = position_axis);
 kinematics::kinematics!("../robots/sawyer.yaml");
 kinematics::kinematics!("../tests/robots/redundant/gen3.yaml");
@@ -34,19 +38,11 @@ fn configuration<const N: usize>(round: bool, random: &mut Random) -> [f64; N] {
     })
 }
 
-/// How many intervals hold a value; one that winds several times counts so.
+/// How many intervals hold a value, which one that winds several times does as often.
 fn holding<const N: usize>(intervals: &[FeasibleInterval<N>], value: f64) -> usize {
-    let times = |interval: &FeasibleInterval<N>| {
-        if interval.is_closed {
-            return ((interval.to - interval.from) / TAU).round() as usize;
-        }
-        let first = interval.from + (value - interval.from).rem_euclid(TAU);
-        if first > interval.to {
-            return 0;
-        }
-        1 + ((interval.to - first) / TAU) as usize
-    };
-    intervals.iter().map(times).sum()
+    let turns = || (-1..=16).map(|turn| value + TAU * f64::from(turn));
+    let within = |i: &FeasibleInterval<N>| turns().filter(|x| (i.from..i.to).contains(x)).count();
+    intervals.iter().map(within).sum()
 }
 
 /// Whether there are as many intervals as solutions at evenly spread values.
@@ -118,6 +114,7 @@ fn main() {
     row("Panda, joint 6", &PandaByWrist, count);
     row("Sawyer", &Sawyer, count);
     row("Gen3, off its design", &Gen3, count);
+    row("iiwa, off its design", &StrayIiwa, count);
     row("xArm 7", &Xarm7, count);
     row("xArm 6 with a torch that may turn", &Torch, count);
 }
