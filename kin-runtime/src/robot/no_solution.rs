@@ -186,7 +186,7 @@ mod tests {
     use std::string::ToString;
 
     #[test]
-    fn every_reason_says_what_to_do() {
+    fn every_reason_has_its_words() {
         let solution = Solution {
             q: [0.0],
             residual: 0.5,
