@@ -669,6 +669,39 @@ const $reaching = (arm, target, given, lanes) => {
 const $solve = (arm, target, seed, given) =>
     $reaching(arm, target, given, $branches(arm.form, target, seed, given));
 
+/* A robot whose functions take arrays of so many numbers alone: too few would be answered by NaN,
+ * and a matrix of sixteen by another pose. By function, what its first arguments are. */
+const $counted = (robot, joints, functions) => {
+    const lengths = {
+        q: [joints, "a value of each joint"],
+        seed: [joints, "a value of each joint"],
+        pose: [12, "the rows of the rotation with the translation at their ends"],
+    };
+    const counted = { ...robot };
+    for (const [name, parameters] of Object.entries(functions)) {
+        const answer = robot[name];
+        const check = (given, i) => {
+            const is_left_out = given[i] === undefined && i >= answer.length;
+            if (!(parameters[i] in lengths) || is_left_out) {
+                return;
+            }
+            const [length, meaning] = lengths[parameters[i]];
+            if (given[i]?.length !== length) {
+                const count = given[i]?.length ?? typeof given[i];
+                throw new TypeError(
+                    `${name}: ${parameters[i]} is ${length} numbers, ${meaning}, and not ${count}`);
+            }
+        };
+        if (answer) {
+            counted[name] = (...given) => {
+                parameters.forEach((_, i) => check(given, i));
+                return answer(...given);
+            };
+        }
+    }
+    return Object.freeze(counted);
+};
+
 /* A target with the tool turned about the tip's z axis. */
 const $turned = (pose, angle) => {
     const { sine, cosine } = $sin_cos(angle);
@@ -776,7 +809,21 @@ const $arm = (arm) => {
         arm.ik_seeded = (pose, seed) => arm.ik_seeded_at(pose, [], seed);
         arm.ik_nearest = (pose, seed) => arm.ik_nearest_at(pose, [], seed);
     }
-    return Object.freeze(arm);
+    const of_q = ["fk", "fk_links", "fk_frame", "fk_jacobian",
+        "spatial_jacobian", "body_jacobian", "geometric_jacobian"];
+    return $counted(arm, arm.joints.length, {
+        ...Object.fromEntries(of_q.map((name) => [name, ["q"]])),
+        within_limits: ["q", "seed"],
+        approach: ["pose", "q"],
+        redundancy: ["pose", "q"],
+        why_none: ["pose"],
+        ik: ["pose"],
+        ik_seeded: ["pose", "seed"],
+        ik_nearest: ["pose", "seed"],
+        ik_at: ["pose"],
+        ik_seeded_at: ["pose", "parameters", "seed"],
+        ik_nearest_at: ["pose", "parameters", "seed"],
+    });
 };
 
 return $arm({

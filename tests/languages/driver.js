@@ -134,19 +134,51 @@ export function count_of(robot, input) {
     return String(robot.ik(robot.fk(numbers(robot.joints.length))).length);
 }
 
+// The answer, or what it is refused with.
+function said(ask) {
+    try {
+        return String(ask());
+    } catch (error) {
+        return String(error);
+    }
+}
+
+// What is answered where arrays are longer or shorter than they should be: a line each.
+export function with_lengths(robot, input) {
+    const q = reader(input).numbers(robot.joints.length);
+    const pose = robot.fk(q);
+    const short = q.slice(1);
+    return [
+        said(() => robot.fk(short)),
+        said(() => robot.fk()),
+        said(() => robot.fk_jacobian(Float64Array.from([...q, 0]))),
+        said(() => robot.fk_frame(0, 0)),
+        said(() => robot.ik([...pose, 0, 0, 0, 1])),
+        said(() => robot.ik_seeded(pose, short)),
+        said(() => robot.ik_nearest(pose)),
+        said(() => robot.within_limits(q, short)),
+        said(() => robot.within_limits(q).length),
+        said(() => robot.ik_nearest(Float64Array.from(pose), q).q.length),
+    ].join("\n");
+}
+
+// The same of a mechanism.
+export function mechanism_with_lengths(mechanism, input) {
+    const q = reader(input).numbers(3);
+    return [
+        said(() => mechanism.gap(q)),
+        said(() => mechanism.platform([...q, 0])),
+        said(() => mechanism.close(q, [0], 10)),
+        said(() => mechanism.ik(q)),
+    ].join("\n");
+}
+
 // What is answered where parameters are not as they should be: a line each.
 export function with_parameters(robot, input) {
     const { numbers } = reader(input);
     const q = numbers(robot.joints.length);
     const pose = robot.fk(q);
     const [own] = robot.redundancy(pose, q);
-    const said = (ask) => {
-        try {
-            return String(ask());
-        } catch (error) {
-            return String(error);
-        }
-    };
     const far = q.map((x, i) => (i === 0 ? 1e160 : x));
     return [
         said(() => robot.ik_at(pose, own).length === robot.ik_at(pose, [own]).length),

@@ -74,3 +74,41 @@ fn parameters_that_are_too_many_or_too_few_are_told_in_javascript() {
     let expected = ["true", refused, refused, refused, "0", "not finite", "true"];
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
 }
+
+#[test]
+fn arrays_that_are_too_long_or_too_short_are_told_in_javascript() {
+    let kr6 = javascript("robots/kr6_r900.yaml");
+    let said = kr6.call("with_lengths", "0.3 -1.5 1.2 0.4 0.9 0.6");
+    let joints = |call: &str, what: &str, wanted: usize, count: &str| {
+        format!(
+            "TypeError: {call}: {what} is {wanted} numbers, a value of each joint, and not {count}"
+        )
+    };
+    let pose = |call: &str, count: &str| {
+        let rows = "the rows of the rotation with the translation at their ends";
+        format!("TypeError: {call}: pose is 12 numbers, {rows}, and not {count}")
+    };
+    let expected = [
+        joints("fk", "q", 6, "5"),
+        joints("fk", "q", 6, "undefined"),
+        joints("fk_jacobian", "q", 6, "7"),
+        joints("fk_frame", "q", 6, "number"),
+        pose("ik", "16"),
+        joints("ik_seeded", "seed", 6, "5"),
+        joints("ik_nearest", "seed", 6, "undefined"),
+        joints("within_limits", "seed", 6, "5"),
+        "6".to_owned(),
+        "6".to_owned(),
+    ];
+    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+
+    let delta = javascript("robots/delta.yaml");
+    let said = delta.call("mechanism_with_lengths", "0 0 0");
+    let expected = [
+        joints("gap", "q", 15, "3"),
+        joints("platform", "q", 15, "4"),
+        joints("close", "q", 15, "3"),
+        pose("ik", "3"),
+    ];
+    assert_eq!(said.lines().collect::<Vec<_>>(), expected);
+}

@@ -26,6 +26,7 @@ const SEARCH: [&str; 9] = [
 ];
 /// From branches of an idealized arm to solutions of the arm as given, as in `search.rs`.
 const REFINE: &str = include_str!("runtime/univariate/refine.js");
+const ARGUMENTS: &str = include_str!("runtime/arguments.js");
 const ARM: &str = include_str!("runtime/arm.js");
 const MECHANISM: &str = include_str!("runtime/mechanism.js");
 
@@ -51,6 +52,7 @@ pub fn pieces(code: &str) -> String {
         (searches, &tables),
         (searches, &search),
         (refines, REFINE),
+        (true, ARGUMENTS),
         (true, ARM),
         (code.contains("$mechanism("), MECHANISM),
     ];

@@ -105,5 +105,19 @@ const $arm = (arm) => {
         arm.ik_seeded = (pose, seed) => arm.ik_seeded_at(pose, [], seed);
         arm.ik_nearest = (pose, seed) => arm.ik_nearest_at(pose, [], seed);
     }
-    return Object.freeze(arm);
+    const of_q = ["fk", "fk_links", "fk_frame", "fk_jacobian",
+        "spatial_jacobian", "body_jacobian", "geometric_jacobian"];
+    return $counted(arm, arm.joints.length, {
+        ...Object.fromEntries(of_q.map((name) => [name, ["q"]])),
+        within_limits: ["q", "seed"],
+        approach: ["pose", "q"],
+        redundancy: ["pose", "q"],
+        why_none: ["pose"],
+        ik: ["pose"],
+        ik_seeded: ["pose", "seed"],
+        ik_nearest: ["pose", "seed"],
+        ik_at: ["pose"],
+        ik_seeded_at: ["pose", "parameters", "seed"],
+        ik_nearest_at: ["pose", "parameters", "seed"],
+    });
 };

@@ -113,5 +113,7 @@ const $mechanism = (mechanism) => {
             return placed.filter(({ solutions }) => solutions.every((found) => found.length > 0));
         };
     }
-    return Object.freeze(mechanism);
+    const joints = chains.reduce((count, { arm }) => count + arm.joints.length, 0);
+    const of_q = Object.fromEntries(["split", "platform", "gap", "close"].map((name) => [name, ["q"]]));
+    return $counted(mechanism, joints, { ...of_q, ik: ["pose"] });
 };

@@ -1,0 +1,32 @@
+/* A robot whose functions take arrays of so many numbers alone: too few would be answered by NaN,
+ * and a matrix of sixteen by another pose. By function, what its first arguments are. */
+const $counted = (robot, joints, functions) => {
+    const lengths = {
+        q: [joints, "a value of each joint"],
+        seed: [joints, "a value of each joint"],
+        pose: [12, "the rows of the rotation with the translation at their ends"],
+    };
+    const counted = { ...robot };
+    for (const [name, parameters] of Object.entries(functions)) {
+        const answer = robot[name];
+        const check = (given, i) => {
+            const is_left_out = given[i] === undefined && i >= answer.length;
+            if (!(parameters[i] in lengths) || is_left_out) {
+                return;
+            }
+            const [length, meaning] = lengths[parameters[i]];
+            if (given[i]?.length !== length) {
+                const count = given[i]?.length ?? typeof given[i];
+                throw new TypeError(
+                    `${name}: ${parameters[i]} is ${length} numbers, ${meaning}, and not ${count}`);
+            }
+        };
+        if (answer) {
+            counted[name] = (...given) => {
+                parameters.forEach((_, i) => check(given, i));
+                return answer(...given);
+            };
+        }
+    }
+    return Object.freeze(counted);
+};
