@@ -108,6 +108,14 @@ impl Scalar {
         }
     }
 
+    /// [`Levels::next_root`] in this arithmetic.
+    pub fn next_root(self, levels: [f64; 4], joint: FreeJoint) -> Option<f64> {
+        match self {
+            Scalar::F64 => Levels::new(levels, joint).next_root(),
+            Scalar::F32 => in_single(levels, joint).next_root().map(f64::from),
+        }
+    }
+
     /// The turn of a free joint that leaves a later root the most room, radians, by its levels; see
     /// [`kin_runtime::__private::free_joint::Levels`].
     pub fn roomiest_turn(self, levels: [f64; 4], joint: FreeJoint) -> f64 {

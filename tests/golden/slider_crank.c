@@ -450,7 +450,7 @@ static int slider_crank_correct(
     for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         slider_crank_linearization there;
-        double x[6], next;
+        double x[7], next;
         slider_crank_factor(here->rows, height, joints->count, weight * miss * miss, lower);
         for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;

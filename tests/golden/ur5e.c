@@ -5,7 +5,7 @@
  * Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
- * one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
+ * one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
  * cosines, 6 arctangents, 34 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c -o .
  */
@@ -266,6 +266,18 @@ static double ur5e_roomiest_turn(const double levels[4], int is_slide)
     }
 }
 
+/* The turn, radians, to where the root becomes a double one: d is 1 or -1. */
+static double ur5e_next_root(const double levels[4], int is_slide)
+{
+    const ur5e_level_function of = ur5e_level_function_of(levels, is_slide);
+    const double beyond = levels[0] - (levels[0] < 0.0 ? -1.0 : 1.0);
+    if (is_slide) {
+        return 1.5707963267948966 * ur5e_nearest_zero(beyond, of.first, of.second);
+    }
+    /* By the tangent of half of the angle. */
+    return 2.0 * ur5e_atan2(ur5e_nearest_zero(beyond, 2.0 * of.second, beyond - 2.0 * of.first), 1.0);
+}
+
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
 static int ur5e_levels_tell(const double levels[4], int is_slide, double turn, double level)
 {
@@ -480,7 +492,7 @@ static int ur5e_correct(
     for (int step = 0; step < evaluations && here->residual >= 1e-14 * by->size && weight <= 1e12;
          ++step) {
         ur5e_linearization there;
-        double x[6], next;
+        double x[7], next;
         ur5e_factor(here->rows, height, joints->count, weight * miss * miss, lower);
         for (int i = 0; i < joints->count; ++i) {
             x[i] = 0.0;
@@ -1166,25 +1178,25 @@ UR5E_INLINE void ur5e_lanes_of(
     double t39_[8];
     double s234_[8];
     double c234_[8];
-    double level_[8];
-    double t54_[8];
-    double t57_[8];
+    double t55_[8];
     double t58_[8];
+    double t59_[8];
+    double level_[8];
     double no_root_[8];
-    double t62_[8];
     double t63_[8];
     double t64_[8];
     double t65_[8];
     double t66_[8];
-    double singular_[8];
     double t67_[8];
-    double t79_[8];
+    double singular_[8];
+    double t68_[8];
     double t80_[8];
-    double t82_[8];
+    double t81_[8];
     double t83_[8];
-    double t94_[8];
-    double q1_[8];
+    double t84_[8];
     double t95_[8];
+    double q1_[8];
+    double t96_[8];
     double q5_[8];
     double q6_[8];
     for (int k = 0; k < 4; ++k) {
@@ -1222,58 +1234,59 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t49 = pz + (r32 * t45 - r31 * t46 - t10) - 0.1625;
         const double t50 = t49 * t49;
         const double t51 = 0.5 * (t50 + (t47 * t47 + t48 * t48));
-        const double level = 0.17610736499999996 - t51;
-        const double t52 = 0.02778388922499999 - level * level;
-        const double t53 = ur5e_max(ur5e_max(ur5e_max(t21, ur5e_select(t38, 1e-13, 1.0, 0.0)), ur5e_select(t38, free_below, 1.0, 0.0)), ur5e_select(t52, 2.778388922499999e-15, 1.0, 0.0));
-        const double t54 = ur5e_select(t52, 2.778388922499999e-15, -1.0, 0.0);
-        const double t55 = sqrt(ur5e_select(t52, 2.778388922499999e-15, 0.0, t52));
-        const double t56 = ur5e_max(-0.16668499999999997, -ur5e_max(-0.16668499999999997, t51 - 0.17610736499999996));
-        const double t57 = 5.999340072592016 * t55;
+        const double t52 = 0.17610736499999996 - t51;
+        const double t53 = 0.02778388922499999 - t52 * t52;
+        const double t54 = ur5e_max(ur5e_max(ur5e_max(t21, ur5e_select(t38, 1e-13, 1.0, 0.0)), ur5e_select(t38, free_below, 1.0, 0.0)), ur5e_select(t53, 2.778388922499999e-15, 1.0, 0.0));
+        const double t55 = ur5e_select(t53, 2.778388922499999e-15, -1.0, 0.0);
+        const double t56 = sqrt(ur5e_select(t53, 2.778388922499999e-15, 0.0, t53));
+        const double t57 = ur5e_max(-0.16668499999999997, -ur5e_max(-0.16668499999999997, t51 - 0.17610736499999996));
         const double t58 = 5.999340072592016 * t56;
-        const double c3 = -t58;
-        const double no_root = ur5e_select(t38, 1e-16, ur5e_select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+        const double t59 = 5.999340072592016 * t57;
+        const double c3 = -t59;
+        const double level = 5.999340072592016 * t52;
+        const double no_root = ur5e_select(t38, 1e-16, ur5e_select(t53, -2.778388922499999e-15, 1.0, 0.0), 0.0);
         /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
-        const double t59 = c1 * t47 + s1 * t48;
-        const double t60 = 2.3529411764705883 * t55;
-        const double t61 = 0.425 - 2.3529411764705883 * t56;
-        const double t62 = t49 * t60;
-        const double t63 = t59 * t61;
-        const double t64 = t59 * t60;
-        const double t65 = t49 * t61;
-        const double t66 = sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
-        const double singular = ur5e_max(t53, ur5e_select(t66, 1.7221312899999994e-24, 1.0, 0.0));
-        const double t67 = 1.0 / t66;
+        const double t60 = c1 * t47 + s1 * t48;
+        const double t61 = 2.3529411764705883 * t56;
+        const double t62 = 0.425 - 2.3529411764705883 * t57;
+        const double t63 = t49 * t61;
+        const double t64 = t60 * t62;
+        const double t65 = t60 * t61;
+        const double t66 = t49 * t62;
+        const double t67 = sqrt((t50 + t60 * t60) * (t61 * t61 + t62 * t62));
+        const double singular = ur5e_max(t54, ur5e_select(t67, 1.7221312899999994e-24, 1.0, 0.0));
+        const double t68 = 1.0 / t67;
         /* Residual: forward kinematics against the target (what several branches share) */
-        const double t68 = c5 * s6;
-        const double t69 = s5 * s6;
-        const double t70 = c234 * c6 - s234 * t68;
-        const double t71 = s234 * c6 + c234 * t68;
-        const double t72 = c1 * t71 + s1 * t69;
-        const double t73 = c1 * t69 - s1 * t71;
-        const double t74 = s5 * c234;
-        const double t75 = s5 * s234;
-        const double t76 = c1 * t74 + s1 * t37;
-        const double t77 = c1 * t37 - s1 * t74;
-        const double t78 = 0.0996 * s5;
-        const double t79 = 0.0997 * c234 + s234 * t78;
-        const double t80 = c234 * t78 - 0.0997 * s234;
-        const double t81 = -0.1333 - 0.0996 * c5;
-        const double t82 = c1 * t81;
-        const double t83 = s1 * t81;
-        const double t84 = r11 + (t73 * t75 + t70 * t77);
-        const double t85 = r12 + t72;
-        const double t86 = r13 + t76;
-        const double t87 = r21 + (t70 * t76 + t72 * t75);
-        const double t88 = t73 - r22;
-        const double t89 = t77 - r23;
-        const double t90 = t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88 + t89 * t89;
-        const double t91 = t73 * t76 - t72 * t77 - r31;
-        const double t92 = t70 - r32;
-        const double t93 = r33 + t75;
-        const double t94 = 0.8610656449999997 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
+        const double t69 = c5 * s6;
+        const double t70 = s5 * s6;
+        const double t71 = c234 * c6 - s234 * t69;
+        const double t72 = s234 * c6 + c234 * t69;
+        const double t73 = c1 * t72 + s1 * t70;
+        const double t74 = c1 * t70 - s1 * t72;
+        const double t75 = s5 * c234;
+        const double t76 = s5 * s234;
+        const double t77 = c1 * t75 + s1 * t37;
+        const double t78 = c1 * t37 - s1 * t75;
+        const double t79 = 0.0996 * s5;
+        const double t80 = 0.0997 * c234 + s234 * t79;
+        const double t81 = c234 * t79 - 0.0997 * s234;
+        const double t82 = -0.1333 - 0.0996 * c5;
+        const double t83 = c1 * t82;
+        const double t84 = s1 * t82;
+        const double t85 = r11 + (t74 * t76 + t71 * t78);
+        const double t86 = r12 + t73;
+        const double t87 = r13 + t77;
+        const double t88 = r21 + (t71 * t77 + t73 * t76);
+        const double t89 = t74 - r22;
+        const double t90 = t78 - r23;
+        const double t91 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88 + t89 * t89 + t90 * t90;
+        const double t92 = t74 * t77 - t73 * t78 - r31;
+        const double t93 = t71 - r32;
+        const double t94 = r33 + t76;
+        const double t95 = 0.8610656449999997 * (t91 + t92 * t92 + t93 * t93 + t94 * t94);
         /* Joint values: angles from sines and cosines, in (−π, π] */
         const double q1 = ur5e_angle(s1, c1);
-        const double t95 = ur5e_angle(-t57, c3);
+        const double t96 = ur5e_angle(-t58, c3);
         const double q5 = ur5e_angle(s5, c5);
         const double q6 = ur5e_angle(s6, c6);
         s1_[k] = s1;
@@ -1281,25 +1294,25 @@ UR5E_INLINE void ur5e_lanes_of(
         t39_[k] = t39;
         s234_[k] = s234;
         c234_[k] = c234;
-        level_[k] = level;
-        t54_[k] = t54;
-        t57_[k] = t57;
+        t55_[k] = t55;
         t58_[k] = t58;
+        t59_[k] = t59;
+        level_[k] = level;
         no_root_[k] = no_root;
-        t62_[k] = t62;
         t63_[k] = t63;
         t64_[k] = t64;
         t65_[k] = t65;
         t66_[k] = t66;
-        singular_[k] = singular;
         t67_[k] = t67;
-        t79_[k] = t79;
+        singular_[k] = singular;
+        t68_[k] = t68;
         t80_[k] = t80;
-        t82_[k] = t82;
+        t81_[k] = t81;
         t83_[k] = t83;
-        t94_[k] = t94;
-        q1_[k] = q1;
+        t84_[k] = t84;
         t95_[k] = t95;
+        q1_[k] = q1;
+        t96_[k] = t96;
         q5_[k] = q5;
         q6_[k] = q6;
     }
@@ -1310,25 +1323,25 @@ UR5E_INLINE void ur5e_lanes_of(
         t39_[k] = t39_[k - 4];
         s234_[k] = s234_[k - 4];
         c234_[k] = c234_[k - 4];
-        level_[k] = level_[k - 4];
-        t54_[k] = t54_[k - 4];
-        t57_[k] = t57_[k - 4];
+        t55_[k] = t55_[k - 4];
         t58_[k] = t58_[k - 4];
+        t59_[k] = t59_[k - 4];
+        level_[k] = level_[k - 4];
         no_root_[k] = no_root_[k - 4];
-        t62_[k] = t62_[k - 4];
         t63_[k] = t63_[k - 4];
         t64_[k] = t64_[k - 4];
         t65_[k] = t65_[k - 4];
         t66_[k] = t66_[k - 4];
-        singular_[k] = singular_[k - 4];
         t67_[k] = t67_[k - 4];
-        t79_[k] = t79_[k - 4];
+        singular_[k] = singular_[k - 4];
+        t68_[k] = t68_[k - 4];
         t80_[k] = t80_[k - 4];
-        t82_[k] = t82_[k - 4];
+        t81_[k] = t81_[k - 4];
         t83_[k] = t83_[k - 4];
-        t94_[k] = t94_[k - 4];
-        q1_[k] = q1_[k - 4];
+        t84_[k] = t84_[k - 4];
         t95_[k] = t95_[k - 4];
+        q1_[k] = q1_[k - 4];
+        t96_[k] = t96_[k - 4];
         q5_[k] = q5_[k - 4];
         q6_[k] = q6_[k - 4];
     }
@@ -1342,25 +1355,25 @@ UR5E_INLINE void ur5e_lanes_of(
     for (int k = 0; k < 8; ++k) {
         const double e3 = e3_of_8[k];
         /* 4. q3 by SP3, given q6 */
-        const double invalid = ur5e_max(t39_[k], e3 * t54_[k]);
+        const double invalid = ur5e_max(t39_[k], e3 * t55_[k]);
         /* 5. q2 by SP1, given q1, q3 and q6 */
-        const double s2 = ur5e_select(t66_[k], 1.7221312899999994e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
-        const double c2 = ur5e_select(t66_[k], 1.7221312899999994e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
+        const double s2 = ur5e_select(t67_[k], 1.7221312899999994e-24, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
+        const double c2 = ur5e_select(t67_[k], 1.7221312899999994e-24, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
         /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
-        const double t96 = s234_[k] * c2 - c234_[k] * s2;
-        const double t97 = c234_[k] * c2 + s234_[k] * s2;
+        const double t97 = s234_[k] * c2 - c234_[k] * s2;
+        const double t98 = c234_[k] * c2 + s234_[k] * s2;
         /* Residual: forward kinematics against the target */
-        const double t98 = 0.3922 * (t58_[k] * s2 + e3 * (t57_[k] * c2)) - 0.425 * s2 - t79_[k];
-        const double t99 = 0.425 * c2 + 0.3922 * (e3 * (t57_[k] * s2) - t58_[k] * c2) + t80_[k];
-        const double t100 = px + (c1_[k] * t99 + t83_[k]);
-        const double t101 = t82_[k] - s1_[k] * t99 - py;
-        const double t102 = t98 + 0.1625 - pz;
-        const double residual = sqrt(t31 + (t102 * t102 + (t100 * t100 + t101 * t101)) + t94_[k]);
+        const double t99 = 0.3922 * (t59_[k] * s2 + e3 * (t58_[k] * c2)) - 0.425 * s2 - t80_[k];
+        const double t100 = 0.425 * c2 + 0.3922 * (e3 * (t58_[k] * s2) - t59_[k] * c2) + t81_[k];
+        const double t101 = px + (c1_[k] * t100 + t84_[k]);
+        const double t102 = t83_[k] - s1_[k] * t100 - py;
+        const double t103 = t99 + 0.1625 - pz;
+        const double residual = sqrt(t31 + (t103 * t103 + (t101 * t101 + t102 * t102)) + t95_[k]);
         /* Joint values: angles from sines and cosines, in (−π, π] */
         const double q2 = ur5e_angle(s2, c2);
-        const double t103 = e3 * t95_[k];
-        const double q3 = ur5e_select(-3.141592653589793, t103, t103, t103 + 6.283185307179586);
-        const double q4 = ur5e_angle(e3 * (t57_[k] * t97) - t58_[k] * t96, -(t58_[k] * t97 + e3 * (t57_[k] * t96)));
+        const double t104 = e3 * t96_[k];
+        const double q3 = ur5e_select(-3.141592653589793, t104, t104, t104 + 6.283185307179586);
+        const double q4 = ur5e_angle(e3 * (t58_[k] * t98) - t59_[k] * t97, -(t59_[k] * t98 + e3 * (t58_[k] * t97)));
         invalid_[k] = invalid;
         residual_[k] = residual;
         q2_[k] = q2;
@@ -1517,8 +1530,9 @@ static void ur5e_move_free_joints(
         ur5e_lanes best, all_round[15];
         int is_sampled = 0, is_round = 0;
         for (int k = 0; k < UR5E_BRANCHES; ++k) {
+            const int is_slide = ur5e_free_slides[joint] > 0.0;
             double levels[4], turn;
-            int is_as_told;
+            int is_as_told, is_next;
             if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
@@ -1533,10 +1547,20 @@ static void ur5e_move_free_joints(
             for (int i = 0; i < 4; ++i) {
                 levels[i] = samples[i][k];
             }
-            turn = ur5e_roomiest_turn(levels, ur5e_free_slides[joint] > 0.0);
-            ur5e_move_by(target, seed, given, joint, turn, moved, &best);
-            is_as_told = ur5e_levels_tell(levels, ur5e_free_slides[joint] > 0.0, turn, best.level[joint][k]);
-            if (ur5e_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
+            /* To where the root is a double one, if that is next to the seed. */
+            turn = ur5e_next_root(levels, is_slide);
+            is_next = fabs(turn) <= 0.05;
+            if (is_next) {
+                ur5e_move_by(target, seed, given, joint, turn, moved, &best);
+                is_next = !ur5e_leaves_none(&best, joint, -1, k);
+            }
+            is_as_told = 0;
+            if (!is_next) {
+                turn = ur5e_roomiest_turn(levels, is_slide);
+                ur5e_move_by(target, seed, given, joint, turn, moved, &best);
+                is_as_told = ur5e_levels_tell(levels, is_slide, turn, best.level[joint][k]);
+            }
+            if (!is_next && ur5e_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
                 for (int i = 0; i < 15 && !is_round; ++i) {
                     ur5e_move_by(target, seed, given, joint, ur5e_turn_round(i), moved, &all_round[i]);
                 }

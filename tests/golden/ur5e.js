@@ -5,7 +5,7 @@
  * Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
- * one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
+ * one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3 sines with
  * cosines, 6 arctangents, 34 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang js
  */
@@ -491,6 +491,16 @@ const $roomiest_turn = (levels, is_slide) => {
     return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
+/* The turn, radians, to where the root becomes a double one: d is 1 or -1. */
+const $next_root = (levels, is_slide) => {
+    const [, first, second] = $told_by(levels, is_slide);
+    const beyond = levels[0] - (levels[0] < 0.0 ? -1.0 : 1.0);
+    return is_slide
+        ? 1.5707963267948966 * $nearest_zero([beyond, first, second])
+        /* By the tangent of half of the angle. */
+        : 2.0 * $atan2($nearest_zero([beyond, 2.0 * second, beyond - 2.0 * first]), 1.0);
+};
+
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
 const $levels_tell = (levels, is_slide, turn, level) => {
     const [constant, x, y] = $told_by(levels, is_slide);
@@ -539,8 +549,12 @@ const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
         for (const k of asked) {
             const level = (at) => at.lanes.level[joint][k];
             const levels = samples.map(level);
-            let best = moved($roomiest_turn(levels, slide !== null));
-            const is_as_told = $levels_tell(levels, slide !== null, best.turn, level(best));
+            /* To where the root is a double one, if that is next to the seed. */
+            const next = $next_root(levels, slide !== null);
+            let best = Math.abs(next) <= 0.05 ? moved(next) : null;
+            const is_next = best !== null && !$leaves_none(form, best.lanes, joint, -1, k);
+            best = is_next ? best : moved($roomiest_turn(levels, slide !== null));
+            const is_as_told = is_next || $levels_tell(levels, slide !== null, best.turn, level(best));
             if ($leaves_none(form, best.lanes, joint, is_as_told ? joint : -1, k)) {
                 let step = 2.0 * Math.PI / 16.0;
                 /* All but the seed's own, to both sides, as slides go. */
@@ -992,25 +1006,25 @@ return $arm({
             const t39_ = new Float64Array(8);
             const s234_ = new Float64Array(8);
             const c234_ = new Float64Array(8);
-            const level_ = new Float64Array(8);
-            const t54_ = new Float64Array(8);
-            const t57_ = new Float64Array(8);
+            const t55_ = new Float64Array(8);
             const t58_ = new Float64Array(8);
+            const t59_ = new Float64Array(8);
+            const level_ = new Float64Array(8);
             const no_root_ = new Float64Array(8);
-            const t62_ = new Float64Array(8);
             const t63_ = new Float64Array(8);
             const t64_ = new Float64Array(8);
             const t65_ = new Float64Array(8);
             const t66_ = new Float64Array(8);
-            const singular_ = new Float64Array(8);
             const t67_ = new Float64Array(8);
-            const t79_ = new Float64Array(8);
+            const singular_ = new Float64Array(8);
+            const t68_ = new Float64Array(8);
             const t80_ = new Float64Array(8);
-            const t82_ = new Float64Array(8);
+            const t81_ = new Float64Array(8);
             const t83_ = new Float64Array(8);
-            const t94_ = new Float64Array(8);
-            const q1_ = new Float64Array(8);
+            const t84_ = new Float64Array(8);
             const t95_ = new Float64Array(8);
+            const q1_ = new Float64Array(8);
+            const t96_ = new Float64Array(8);
             const q5_ = new Float64Array(8);
             const q6_ = new Float64Array(8);
             for (let k = 0; k < 4; ++k) {
@@ -1048,58 +1062,59 @@ return $arm({
                 const t49 = pz + (r32 * t45 - r31 * t46 - t10) - 0.1625;
                 const t50 = t49 * t49;
                 const t51 = 0.5 * (t50 + (t47 * t47 + t48 * t48));
-                const level = 0.17610736499999996 - t51;
-                const t52 = 0.02778388922499999 - level * level;
-                const t53 = $max($max($max(t21, $select(t38, 1e-13, 1.0, 0.0)), $select(t38, free_below, 1.0, 0.0)), $select(t52, 2.778388922499999e-15, 1.0, 0.0));
-                const t54 = $select(t52, 2.778388922499999e-15, -1.0, 0.0);
-                const t55 = Math.sqrt($select(t52, 2.778388922499999e-15, 0.0, t52));
-                const t56 = $max(-0.16668499999999997, -$max(-0.16668499999999997, t51 - 0.17610736499999996));
-                const t57 = 5.999340072592016 * t55;
+                const t52 = 0.17610736499999996 - t51;
+                const t53 = 0.02778388922499999 - t52 * t52;
+                const t54 = $max($max($max(t21, $select(t38, 1e-13, 1.0, 0.0)), $select(t38, free_below, 1.0, 0.0)), $select(t53, 2.778388922499999e-15, 1.0, 0.0));
+                const t55 = $select(t53, 2.778388922499999e-15, -1.0, 0.0);
+                const t56 = Math.sqrt($select(t53, 2.778388922499999e-15, 0.0, t53));
+                const t57 = $max(-0.16668499999999997, -$max(-0.16668499999999997, t51 - 0.17610736499999996));
                 const t58 = 5.999340072592016 * t56;
-                const c3 = -t58;
-                const no_root = $select(t38, 1e-16, $select(t52, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+                const t59 = 5.999340072592016 * t57;
+                const c3 = -t59;
+                const level = 5.999340072592016 * t52;
+                const no_root = $select(t38, 1e-16, $select(t53, -2.778388922499999e-15, 1.0, 0.0), 0.0);
                 /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
-                const t59 = c1 * t47 + s1 * t48;
-                const t60 = 2.3529411764705883 * t55;
-                const t61 = 0.425 - 2.3529411764705883 * t56;
-                const t62 = t49 * t60;
-                const t63 = t59 * t61;
-                const t64 = t59 * t60;
-                const t65 = t49 * t61;
-                const t66 = Math.sqrt((t50 + t59 * t59) * (t60 * t60 + t61 * t61));
-                const singular = $max(t53, $select(t66, 1.7221312899999994e-24, 1.0, 0.0));
-                const t67 = 1.0 / t66;
+                const t60 = c1 * t47 + s1 * t48;
+                const t61 = 2.3529411764705883 * t56;
+                const t62 = 0.425 - 2.3529411764705883 * t57;
+                const t63 = t49 * t61;
+                const t64 = t60 * t62;
+                const t65 = t60 * t61;
+                const t66 = t49 * t62;
+                const t67 = Math.sqrt((t50 + t60 * t60) * (t61 * t61 + t62 * t62));
+                const singular = $max(t54, $select(t67, 1.7221312899999994e-24, 1.0, 0.0));
+                const t68 = 1.0 / t67;
                 /* Residual: forward kinematics against the target (what several branches share) */
-                const t68 = c5 * s6;
-                const t69 = s5 * s6;
-                const t70 = c234 * c6 - s234 * t68;
-                const t71 = s234 * c6 + c234 * t68;
-                const t72 = c1 * t71 + s1 * t69;
-                const t73 = c1 * t69 - s1 * t71;
-                const t74 = s5 * c234;
-                const t75 = s5 * s234;
-                const t76 = c1 * t74 + s1 * t37;
-                const t77 = c1 * t37 - s1 * t74;
-                const t78 = 0.0996 * s5;
-                const t79 = 0.0997 * c234 + s234 * t78;
-                const t80 = c234 * t78 - 0.0997 * s234;
-                const t81 = -0.1333 - 0.0996 * c5;
-                const t82 = c1 * t81;
-                const t83 = s1 * t81;
-                const t84 = r11 + (t73 * t75 + t70 * t77);
-                const t85 = r12 + t72;
-                const t86 = r13 + t76;
-                const t87 = r21 + (t70 * t76 + t72 * t75);
-                const t88 = t73 - r22;
-                const t89 = t77 - r23;
-                const t90 = t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88 + t89 * t89;
-                const t91 = t73 * t76 - t72 * t77 - r31;
-                const t92 = t70 - r32;
-                const t93 = r33 + t75;
-                const t94 = 0.8610656449999997 * (t90 + t91 * t91 + t92 * t92 + t93 * t93);
+                const t69 = c5 * s6;
+                const t70 = s5 * s6;
+                const t71 = c234 * c6 - s234 * t69;
+                const t72 = s234 * c6 + c234 * t69;
+                const t73 = c1 * t72 + s1 * t70;
+                const t74 = c1 * t70 - s1 * t72;
+                const t75 = s5 * c234;
+                const t76 = s5 * s234;
+                const t77 = c1 * t75 + s1 * t37;
+                const t78 = c1 * t37 - s1 * t75;
+                const t79 = 0.0996 * s5;
+                const t80 = 0.0997 * c234 + s234 * t79;
+                const t81 = c234 * t79 - 0.0997 * s234;
+                const t82 = -0.1333 - 0.0996 * c5;
+                const t83 = c1 * t82;
+                const t84 = s1 * t82;
+                const t85 = r11 + (t74 * t76 + t71 * t78);
+                const t86 = r12 + t73;
+                const t87 = r13 + t77;
+                const t88 = r21 + (t71 * t77 + t73 * t76);
+                const t89 = t74 - r22;
+                const t90 = t78 - r23;
+                const t91 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88 + t89 * t89 + t90 * t90;
+                const t92 = t74 * t77 - t73 * t78 - r31;
+                const t93 = t71 - r32;
+                const t94 = r33 + t76;
+                const t95 = 0.8610656449999997 * (t91 + t92 * t92 + t93 * t93 + t94 * t94);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const q1 = $angle(s1, c1);
-                const t95 = $angle(-t57, c3);
+                const t96 = $angle(-t58, c3);
                 const q5 = $angle(s5, c5);
                 const q6 = $angle(s6, c6);
                 s1_[k] = s1;
@@ -1107,25 +1122,25 @@ return $arm({
                 t39_[k] = t39;
                 s234_[k] = s234;
                 c234_[k] = c234;
-                level_[k] = level;
-                t54_[k] = t54;
-                t57_[k] = t57;
+                t55_[k] = t55;
                 t58_[k] = t58;
+                t59_[k] = t59;
+                level_[k] = level;
                 no_root_[k] = no_root;
-                t62_[k] = t62;
                 t63_[k] = t63;
                 t64_[k] = t64;
                 t65_[k] = t65;
                 t66_[k] = t66;
-                singular_[k] = singular;
                 t67_[k] = t67;
-                t79_[k] = t79;
+                singular_[k] = singular;
+                t68_[k] = t68;
                 t80_[k] = t80;
-                t82_[k] = t82;
+                t81_[k] = t81;
                 t83_[k] = t83;
-                t94_[k] = t94;
-                q1_[k] = q1;
+                t84_[k] = t84;
                 t95_[k] = t95;
+                q1_[k] = q1;
+                t96_[k] = t96;
                 q5_[k] = q5;
                 q6_[k] = q6;
             }
@@ -1136,25 +1151,25 @@ return $arm({
                 t39_[k] = t39_[k - 4];
                 s234_[k] = s234_[k - 4];
                 c234_[k] = c234_[k - 4];
-                level_[k] = level_[k - 4];
-                t54_[k] = t54_[k - 4];
-                t57_[k] = t57_[k - 4];
+                t55_[k] = t55_[k - 4];
                 t58_[k] = t58_[k - 4];
+                t59_[k] = t59_[k - 4];
+                level_[k] = level_[k - 4];
                 no_root_[k] = no_root_[k - 4];
-                t62_[k] = t62_[k - 4];
                 t63_[k] = t63_[k - 4];
                 t64_[k] = t64_[k - 4];
                 t65_[k] = t65_[k - 4];
                 t66_[k] = t66_[k - 4];
-                singular_[k] = singular_[k - 4];
                 t67_[k] = t67_[k - 4];
-                t79_[k] = t79_[k - 4];
+                singular_[k] = singular_[k - 4];
+                t68_[k] = t68_[k - 4];
                 t80_[k] = t80_[k - 4];
-                t82_[k] = t82_[k - 4];
+                t81_[k] = t81_[k - 4];
                 t83_[k] = t83_[k - 4];
-                t94_[k] = t94_[k - 4];
-                q1_[k] = q1_[k - 4];
+                t84_[k] = t84_[k - 4];
                 t95_[k] = t95_[k - 4];
+                q1_[k] = q1_[k - 4];
+                t96_[k] = t96_[k - 4];
                 q5_[k] = q5_[k - 4];
                 q6_[k] = q6_[k - 4];
             }
@@ -1168,25 +1183,25 @@ return $arm({
             for (let k = 0; k < 8; ++k) {
                 const e3 = e3_of_8[k];
                 /* 4. q3 by SP3, given q6 */
-                const invalid = $max(t39_[k], e3 * t54_[k]);
+                const invalid = $max(t39_[k], e3 * t55_[k]);
                 /* 5. q2 by SP1, given q1, q3 and q6 */
-                const s2 = $select(t66_[k], 1.7221312899999994e-24, t3, -((t65_[k] + e3 * t64_[k]) * t67_[k]));
-                const c2 = $select(t66_[k], 1.7221312899999994e-24, t6, (e3 * t62_[k] - t63_[k]) * t67_[k]);
+                const s2 = $select(t67_[k], 1.7221312899999994e-24, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
+                const c2 = $select(t67_[k], 1.7221312899999994e-24, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
                 /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
-                const t96 = s234_[k] * c2 - c234_[k] * s2;
-                const t97 = c234_[k] * c2 + s234_[k] * s2;
+                const t97 = s234_[k] * c2 - c234_[k] * s2;
+                const t98 = c234_[k] * c2 + s234_[k] * s2;
                 /* Residual: forward kinematics against the target */
-                const t98 = 0.3922 * (t58_[k] * s2 + e3 * (t57_[k] * c2)) - 0.425 * s2 - t79_[k];
-                const t99 = 0.425 * c2 + 0.3922 * (e3 * (t57_[k] * s2) - t58_[k] * c2) + t80_[k];
-                const t100 = px + (c1_[k] * t99 + t83_[k]);
-                const t101 = t82_[k] - s1_[k] * t99 - py;
-                const t102 = t98 + 0.1625 - pz;
-                const residual = Math.sqrt(t31 + (t102 * t102 + (t100 * t100 + t101 * t101)) + t94_[k]);
+                const t99 = 0.3922 * (t59_[k] * s2 + e3 * (t58_[k] * c2)) - 0.425 * s2 - t80_[k];
+                const t100 = 0.425 * c2 + 0.3922 * (e3 * (t58_[k] * s2) - t59_[k] * c2) + t81_[k];
+                const t101 = px + (c1_[k] * t100 + t84_[k]);
+                const t102 = t83_[k] - s1_[k] * t100 - py;
+                const t103 = t99 + 0.1625 - pz;
+                const residual = Math.sqrt(t31 + (t103 * t103 + (t101 * t101 + t102 * t102)) + t95_[k]);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const q2 = $angle(s2, c2);
-                const t103 = e3 * t95_[k];
-                const q3 = $select(-3.141592653589793, t103, t103, t103 + 6.283185307179586);
-                const q4 = $angle(e3 * (t57_[k] * t97) - t58_[k] * t96, -(t58_[k] * t97 + e3 * (t57_[k] * t96)));
+                const t104 = e3 * t96_[k];
+                const q3 = $select(-3.141592653589793, t104, t104, t104 + 6.283185307179586);
+                const q4 = $angle(e3 * (t58_[k] * t98) - t59_[k] * t97, -(t59_[k] * t98 + e3 * (t58_[k] * t97)));
                 invalid_[k] = invalid;
                 residual_[k] = residual;
                 q2_[k] = q2;

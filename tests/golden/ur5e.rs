@@ -6,7 +6,7 @@
 // Forward kinematics: 36 multiplications, 21 additions, 6 sines with cosines.
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
-// branches; one branch: 157 multiplications, 110 additions, 3 divisions, 6 roots, 3
+// branches; one branch: 158 multiplications, 110 additions, 3 divisions, 6 roots, 3
 // sines with cosines, 6 arctangents, 34 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
@@ -67,7 +67,7 @@ mod __Ur5e {
     /// 5. q2 by SP1, given q1, q3 and q6: turn a vector onto another
     /// 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
     ///
-    /// 8 branches. Verified on 644 configurations: all recovered, 4416 solutions, the worst 1.1e-9 m from its target.
+    /// 8 branches. Verified on 644 configurations: all recovered, 4412 solutions, the worst 1.1e-9 m from its target.
     ///
     /// # Branches
     ///
@@ -874,9 +874,9 @@ mod __Ur5e {
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             aligned!(
-                s1_, c1_, t39_, s234_, c234_, level_, t54_, t57_, t58_, no_root_, t62_,
-                t63_, t64_, t65_, t66_, singular_, t67_, t79_, t80_, t82_, t83_, t94_,
-                q1_, t95_, q5_, q6_ = [[0.0; T]; 4]
+                s1_, c1_, t39_, s234_, c234_, t55_, t58_, t59_, level_, no_root_, t63_,
+                t64_, t65_, t66_, t67_, singular_, t68_, t80_, t81_, t83_, t84_, t95_,
+                q1_, t96_, q5_, q6_ = [[0.0; T]; 4]
             );
             for k in 0..4 {
                 for t in 0..T {
@@ -927,92 +927,93 @@ mod __Ur5e {
                         - 0.1625;
                     let t50 = t49 * t49;
                     let t51 = 0.5 * (t50 + A::fma(t47, t47, t48 * t48));
-                    let level = 0.17610736499999996 - t51;
-                    let t52 = A::fma(-level, level, 0.02778388922499999);
-                    let t53 = math::max(
+                    let t52 = 0.17610736499999996 - t51;
+                    let t53 = A::fma(-t52, t52, 0.02778388922499999);
+                    let t54 = math::max(
                         math::max(
                             math::max(t21_[t], math::select(t38 < 1e-13, 1.0, 0.0)),
                             math::select(t38 < free, 1.0, 0.0),
                         ),
-                        math::select(t52 < 2.778388922499999e-15, 1.0, 0.0),
+                        math::select(t53 < 2.778388922499999e-15, 1.0, 0.0),
                     );
-                    let t54 = math::select(t52 < 2.778388922499999e-15, -1.0, 0.0);
-                    let t55 = math::sqrt(
-                        math::select(t52 < 2.778388922499999e-15, 0.0, t52),
+                    let t55 = math::select(t53 < 2.778388922499999e-15, -1.0, 0.0);
+                    let t56 = math::sqrt(
+                        math::select(t53 < 2.778388922499999e-15, 0.0, t53),
                     );
-                    let t56 = math::max(
+                    let t57 = math::max(
                         -0.16668499999999997,
                         -math::max(-0.16668499999999997, t51 - 0.17610736499999996),
                     );
-                    let t57 = 5.999340072592016 * t55;
                     let t58 = 5.999340072592016 * t56;
-                    let c3 = -t58;
+                    let t59 = 5.999340072592016 * t57;
+                    let c3 = -t59;
+                    let level = 5.999340072592016 * t52;
                     let no_root = math::select(
                         t38 < 1e-16,
-                        math::select(t52 < -2.778388922499999e-15, 1.0, 0.0),
+                        math::select(t53 < -2.778388922499999e-15, 1.0, 0.0),
                         0.0,
                     );
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t59 = A::fma(c1, t47, s1 * t48);
-                    let t60 = 2.3529411764705883 * t55;
-                    let t61 = A::fma(-2.3529411764705883, t56, 0.425);
-                    let t62 = t49 * t60;
-                    let t63 = t59 * t61;
-                    let t64 = t59 * t60;
-                    let t65 = t49 * t61;
-                    let t66 = math::sqrt(
-                        A::fma(t59, t59, t50) * A::fma(t60, t60, t61 * t61),
+                    let t60 = A::fma(c1, t47, s1 * t48);
+                    let t61 = 2.3529411764705883 * t56;
+                    let t62 = A::fma(-2.3529411764705883, t57, 0.425);
+                    let t63 = t49 * t61;
+                    let t64 = t60 * t62;
+                    let t65 = t60 * t61;
+                    let t66 = t49 * t62;
+                    let t67 = math::sqrt(
+                        A::fma(t60, t60, t50) * A::fma(t61, t61, t62 * t62),
                     );
                     let singular = math::max(
-                        t53,
-                        math::select(t66 < 1.7221312899999994e-24, 1.0, 0.0),
+                        t54,
+                        math::select(t67 < 1.7221312899999994e-24, 1.0, 0.0),
                     );
-                    let t67 = 1.0 / t66;
+                    let t68 = 1.0 / t67;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t68 = c5 * s6;
-                    let t69 = s5 * s6;
-                    let t70 = A::fma(c234, c6, -(s234 * t68));
-                    let t71 = A::fma(s234, c6, c234 * t68);
-                    let t72 = A::fma(c1, t71, s1 * t69);
-                    let t73 = A::fma(c1, t69, -(s1 * t71));
-                    let t74 = s5 * c234;
-                    let t75 = s5 * s234;
-                    let t76 = A::fma(c1, t74, s1 * t37);
-                    let t77 = A::fma(-s1, t74, c1 * t37);
-                    let t78 = 0.0996 * s5;
-                    let t79 = A::fma(0.0997, c234, s234 * t78);
-                    let t80 = A::fma(c234, t78, -(0.0997 * s234));
-                    let t81 = A::fma(-0.0996, c5, -0.1333);
-                    let t82 = c1 * t81;
-                    let t83 = s1 * t81;
-                    let t84 = r11[t] + A::fma(t73, t75, t70 * t77);
-                    let t85 = r12[t] + t72;
-                    let t86 = r13[t] + t76;
-                    let t87 = r21[t] + A::fma(t70, t76, t72 * t75);
-                    let t88 = t73 - r22[t];
-                    let t89 = t77 - r23[t];
-                    let t90 = A::fma(
-                        t89,
-                        t89,
+                    let t69 = c5 * s6;
+                    let t70 = s5 * s6;
+                    let t71 = A::fma(c234, c6, -(s234 * t69));
+                    let t72 = A::fma(s234, c6, c234 * t69);
+                    let t73 = A::fma(c1, t72, s1 * t70);
+                    let t74 = A::fma(c1, t70, -(s1 * t72));
+                    let t75 = s5 * c234;
+                    let t76 = s5 * s234;
+                    let t77 = A::fma(c1, t75, s1 * t37);
+                    let t78 = A::fma(-s1, t75, c1 * t37);
+                    let t79 = 0.0996 * s5;
+                    let t80 = A::fma(0.0997, c234, s234 * t79);
+                    let t81 = A::fma(c234, t79, -(0.0997 * s234));
+                    let t82 = A::fma(-0.0996, c5, -0.1333);
+                    let t83 = c1 * t82;
+                    let t84 = s1 * t82;
+                    let t85 = r11[t] + A::fma(t74, t76, t71 * t78);
+                    let t86 = r12[t] + t73;
+                    let t87 = r13[t] + t77;
+                    let t88 = r21[t] + A::fma(t71, t77, t73 * t76);
+                    let t89 = t74 - r22[t];
+                    let t90 = t78 - r23[t];
+                    let t91 = A::fma(
+                        t90,
+                        t90,
                         A::fma(
-                            t88,
-                            t88,
+                            t89,
+                            t89,
                             A::fma(
-                                t87,
-                                t87,
-                                A::fma(t86, t86, A::fma(t84, t84, t85 * t85)),
+                                t88,
+                                t88,
+                                A::fma(t87, t87, A::fma(t85, t85, t86 * t86)),
                             ),
                         ),
                     );
-                    let t91 = A::fma(t73, t76, -(t72 * t77)) - r31[t];
-                    let t92 = t70 - r32[t];
-                    let t93 = r33[t] + t75;
-                    let t94 = 0.8610656449999997
-                        * A::fma(t93, t93, A::fma(t92, t92, A::fma(t91, t91, t90)));
+                    let t92 = A::fma(t74, t77, -(t73 * t78)) - r31[t];
+                    let t93 = t71 - r32[t];
+                    let t94 = r33[t] + t76;
+                    let t95 = 0.8610656449999997
+                        * A::fma(t94, t94, A::fma(t93, t93, A::fma(t92, t92, t91)));
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
-                    let t95 = A::angle(-t57, c3);
+                    let t96 = A::angle(-t58, c3);
                     let q5 = A::angle(s5, c5);
                     let q6 = A::angle(s6, c6);
                     s1_[k][t] = s1;
@@ -1020,34 +1021,34 @@ mod __Ur5e {
                     t39_[k][t] = t39;
                     s234_[k][t] = s234;
                     c234_[k][t] = c234;
-                    level_[k][t] = level;
-                    t54_[k][t] = t54;
-                    t57_[k][t] = t57;
+                    t55_[k][t] = t55;
                     t58_[k][t] = t58;
+                    t59_[k][t] = t59;
+                    level_[k][t] = level;
                     no_root_[k][t] = no_root;
-                    t62_[k][t] = t62;
                     t63_[k][t] = t63;
                     t64_[k][t] = t64;
                     t65_[k][t] = t65;
                     t66_[k][t] = t66;
-                    singular_[k][t] = singular;
                     t67_[k][t] = t67;
-                    t79_[k][t] = t79;
+                    singular_[k][t] = singular;
+                    t68_[k][t] = t68;
                     t80_[k][t] = t80;
-                    t82_[k][t] = t82;
+                    t81_[k][t] = t81;
                     t83_[k][t] = t83;
-                    t94_[k][t] = t94;
-                    q1_[k][t] = q1;
+                    t84_[k][t] = t84;
                     t95_[k][t] = t95;
+                    q1_[k][t] = q1;
+                    t96_[k][t] = t96;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             widen!(
-                s1_, c1_, t39_, s234_, c234_, level_, t54_, t57_, t58_, no_root_, t62_,
-                t63_, t64_, t65_, t66_, singular_, t67_, t79_, t80_, t82_, t83_, t94_,
-                q1_, t95_, q5_, q6_ from 4 to 8 of T
+                s1_, c1_, t39_, s234_, c234_, t55_, t58_, t59_, level_, no_root_, t63_,
+                t64_, t65_, t66_, t67_, singular_, t68_, t80_, t81_, t83_, t84_, t95_,
+                q1_, t96_, q5_, q6_ from 4 to 8 of T
             );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
@@ -1055,50 +1056,50 @@ mod __Ur5e {
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q3 by SP3, given q6
-                    let invalid = math::max(t39_[k][t], e3[k] * t54_[k][t]);
+                    let invalid = math::max(t39_[k][t], e3[k] * t55_[k][t]);
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t66_[k][t] < 1.7221312899999994e-24,
+                        t67_[k][t] < 1.7221312899999994e-24,
                         t3,
-                        -(A::fma(e3[k], t64_[k][t], t65_[k][t]) * t67_[k][t]),
+                        -(A::fma(e3[k], t65_[k][t], t66_[k][t]) * t68_[k][t]),
                     );
                     let c2 = math::select(
-                        t66_[k][t] < 1.7221312899999994e-24,
+                        t67_[k][t] < 1.7221312899999994e-24,
                         t6,
-                        A::fma(e3[k], t62_[k][t], -t63_[k][t]) * t67_[k][t],
+                        A::fma(e3[k], t63_[k][t], -t64_[k][t]) * t68_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t96 = A::fma(s234_[k][t], c2, -(c234_[k][t] * s2));
-                    let t97 = A::fma(c234_[k][t], c2, s234_[k][t] * s2);
+                    let t97 = A::fma(s234_[k][t], c2, -(c234_[k][t] * s2));
+                    let t98 = A::fma(c234_[k][t], c2, s234_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t98 = A::fma(
-                        0.3922,
-                        A::fma(t58_[k][t], s2, e3[k] * (t57_[k][t] * c2)),
-                        -(0.425 * s2),
-                    ) - t79_[k][t];
                     let t99 = A::fma(
+                        0.3922,
+                        A::fma(t59_[k][t], s2, e3[k] * (t58_[k][t] * c2)),
+                        -(0.425 * s2),
+                    ) - t80_[k][t];
+                    let t100 = A::fma(
                         0.425,
                         c2,
-                        0.3922 * A::fma(e3[k], t57_[k][t] * s2, -(t58_[k][t] * c2)),
-                    ) + t80_[k][t];
-                    let t100 = px[t] + A::fma(c1_[k][t], t99, t83_[k][t]);
-                    let t101 = A::fma(-s1_[k][t], t99, t82_[k][t]) - py[t];
-                    let t102 = t98 + 0.1625 - pz[t];
+                        0.3922 * A::fma(e3[k], t58_[k][t] * s2, -(t59_[k][t] * c2)),
+                    ) + t81_[k][t];
+                    let t101 = px[t] + A::fma(c1_[k][t], t100, t84_[k][t]);
+                    let t102 = A::fma(-s1_[k][t], t100, t83_[k][t]) - py[t];
+                    let t103 = t99 + 0.1625 - pz[t];
                     let residual = math::sqrt(
-                        t31_[t] + A::fma(t102, t102, A::fma(t100, t100, t101 * t101))
-                            + t94_[k][t],
+                        t31_[t] + A::fma(t103, t103, A::fma(t101, t101, t102 * t102))
+                            + t95_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = A::angle(s2, c2);
-                    let t103 = e3[k] * t95_[k][t];
+                    let t104 = e3[k] * t96_[k][t];
                     let q3 = math::select(
-                        -3.141592653589793 < t103,
-                        t103,
-                        t103 + 6.283185307179586,
+                        -3.141592653589793 < t104,
+                        t104,
+                        t104 + 6.283185307179586,
                     );
                     let q4 = A::angle(
-                        A::fma(e3[k], t57_[k][t] * t97, -(t58_[k][t] * t96)),
-                        -A::fma(t58_[k][t], t97, e3[k] * (t57_[k][t] * t96)),
+                        A::fma(e3[k], t58_[k][t] * t98, -(t59_[k][t] * t97)),
+                        -A::fma(t59_[k][t], t98, e3[k] * (t58_[k][t] * t97)),
                     );
                     invalid_[k][t] = invalid;
                     residual_[k][t] = residual;

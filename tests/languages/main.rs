@@ -478,7 +478,13 @@ fn every_robot_is_what_it_is_in_rust() {
     std::thread::scope(|scope| {
         scope.spawn(|| {
             if Compiler::C.is_there() {
-                let built = program.build(Compiler::C, &["-O0"], "in_c");
+                // An index beyond its array ends the program.
+                let bounded = [
+                    "-O0",
+                    "-fsanitize=bounds",
+                    "-fsanitize-undefined-trap-on-error",
+                ];
+                let built = program.build(Compiler::C, &bounded, "in_c");
                 compare(&subjects, &built.run(&input));
             }
             compare_rest_of_js();

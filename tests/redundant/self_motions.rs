@@ -105,3 +105,22 @@ fn of_a_panda() {
 fn of_a_sawyer() {
     tell_the_same(&crate::Sawyer);
 }
+
+/// Stops on both sides leave no way to go: the motion is its start alone.
+#[test]
+fn what_cannot_move_is_one_component() {
+    let q = [0.0, -1.7628, -2.8973, -3.0718, 2.8973, -0.0175, 0.785];
+    let options = SelfMotionOptions {
+        limits: Some(crate::Panda::LIMITS),
+        ..SelfMotionOptions::default()
+    };
+    let motions = self_motions(&crate::Panda, &[q, q], &options).unwrap();
+    assert_eq!(motions.component_of, [0, 0]);
+    let [alone] = &motions.components[..] else {
+        panic!("{motions:?}")
+    };
+    assert!(alone.contains(&crate::Panda, &q) && !alone.is_closed());
+    let mut other = q;
+    other[0] += 1e-3;
+    assert!(!alone.contains(&crate::Panda, &other));
+}

@@ -4,7 +4,8 @@ use crate::measure::largest;
 use crate::random::Random;
 use crate::subject::Subject;
 use kinematics::{JointLimit, Kinematics, Nearest, NoSolution, Pose, Robot};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 
 for_every_robot!(the_nearest_is_that_of_all_solutions);
 for_every_robot!(a_small_step_stays_near);
@@ -237,6 +238,42 @@ fn a_free_slide_moves_to_where_the_arm_reaches() {
                 assert!(reached.translation_distance(&target) < 1.7e-9, "{q:?}");
                 assert!(reached.rotation_distance(&target) < 1e-9, "{q:?}");
             }
+        }
+    }
+}
+
+/// Holding a pose in which the arm is stretched and its wrist aligned: a joint that is free there
+/// stays next to where the seed has it, though beside the target's own value the elbow may have no
+/// root. Where it has one, the elbow bends by the root of what the seed is off.
+#[test]
+fn at_rest_where_arm_and_wrist_are_stretched_no_elbow_jumps() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut random = Random::new(11);
+    for (file, home) in [
+        ("robots/ur5e.urdf", [0.3, 0.0, 0.0, 0.0, 0.0, 0.4]),
+        ("robots/ur5e.urdf", [0.0; 6]),
+        (
+            "robots/ur5e.urdf",
+            [-1.0, -FRAC_PI_2, 0.0, -FRAC_PI_2, 0.0, 0.0],
+        ),
+        ("robots/ur10e.yaml", [0.3, 0.7, 0.0, -0.2, 0.0, 0.4]),
+    ] {
+        let robot = match file.ends_with("urdf") {
+            true => Robot::from_urdf(folder.join(file)),
+            false => Robot::from_yaml(folder.join(file)),
+        };
+        let robot = robot.unwrap();
+        let target = robot.fk(&home);
+        for k in 0..400 {
+            let off = 10_f64.powi(-12 + k % 10);
+            let seed = home.map(|q| q + random.between(-off, off));
+            let found = robot.ik_nearest(&target, &seed).unwrap();
+            let moved = found.q.iter().zip(&seed).map(|(q, seed)| (q - seed).abs());
+            let moved = moved.fold(0.0, f64::max);
+            assert!(
+                moved < 10.0 * off.sqrt() + 1e-6,
+                "{file}, {home:?}: {moved:e} from {seed:?}"
+            );
         }
     }
 }

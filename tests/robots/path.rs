@@ -5,6 +5,7 @@ use crate::subject::Subject;
 use kinematics::{
     JointLimit, Kinematics, Nearest, NoSolution, Pose, Robot, Solution, ik_path, least_motion,
 };
+use std::f64::consts::TAU;
 
 for_every_robot!(a_path_reaches_its_targets);
 for_every_robot!(no_other_sequence_moves_less);
@@ -274,7 +275,7 @@ fn a_path_beyond_a_single_stop_is_as_long_as_it_is() {
     limits[5] = JointLimit::revolute(0.0, f64::INFINITY);
     let at = |turn: f64| [0.3, -1.2, 1.5, -0.7, 1.1, turn];
     let targets = [0.4, 0.1, -0.2, -0.55].map(|turn| arm.fk(&at(turn)));
-    let mut nearest = Nearest::new(at(0.5 + std::f64::consts::TAU), &limits);
+    let mut nearest = Nearest::new(at(0.5 + TAU), &limits);
     nearest.step = [0.5; 6];
     let path = ik_path(&arm, &targets, &nearest).unwrap();
     assert!((path.motion - 1.05).abs() < 1e-9, "{path:?}");
@@ -317,5 +318,32 @@ fn a_path_crosses_where_a_slide_is_free() {
     for (solution, target) in path.solutions.iter().zip(&targets) {
         assert!(arm.fk(&solution.q).translation_distance(target) < 1e-9);
         assert!((solution.q[0] - 0.9).abs() < 1e-6, "{solution:?}");
+    }
+}
+
+/// Of six joints without a seed one has to begin in its lowest turn: the others do not begin in all of
+/// theirs, which would be as many ways as all turns together.
+#[test]
+fn one_joint_of_those_without_a_seed_begins_elsewhere() {
+    let turns = 3.0 * TAU;
+    let limits = [JointLimit::revolute(-turns, turns); 6];
+    let sweep = |k: usize| -turns + 0.1 + 0.2 * k as f64;
+    let layers: Vec<Vec<Solution<6>>> = (0..180)
+        .map(|k| {
+            let q = [sweep(k), 0.1, 0.2, 0.3, 0.4, 0.5];
+            let q = q.map(|x: f64| x - TAU * (x / TAU).round());
+            vec![Solution {
+                q,
+                residual: 0.0,
+                branch: 0,
+                singular: false,
+            }]
+        })
+        .collect();
+    let nearest = Nearest::new([f64::NAN; 6], &limits);
+    let (found, motion) = least_motion(&layers, &nearest).unwrap();
+    assert!((motion - 0.2 * 179.0).abs() < 1e-9, "{motion}");
+    for (k, solution) in found.iter().enumerate() {
+        assert!((solution.q[0] - sweep(k)).abs() < 1e-9, "{k}: {solution:?}");
     }
 }

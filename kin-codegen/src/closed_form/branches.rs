@@ -269,14 +269,20 @@ impl<'a> Question<'a> {
         let joint = free[moving].joint();
         let level = |turn| self.moved_by(turn, moving, seed).1.level(moving, branch);
         let levels = Levels::TURNS.map(level);
-        let turn = self.scalar.roomiest_turn(levels, joint);
-        let mut best = self.moved_by(turn, moving, seed);
-        let level = best.1.level(moving, branch);
-        let is_as_told = self.scalar.levels_tell(levels, joint, turn, level);
         let is_of_joint = |&i: &usize| free[i].turn.coordinate == joint.coordinate;
         let roots = || (0..free.len()).filter(is_of_joint);
-        let others = roots().filter(|&i| !(i == moving && is_as_told));
-        if best.1.leaves_none(others, branch) {
+        let next = self.scalar.next_root(levels, joint);
+        let next = next.map(|turn| self.moved_by(turn, moving, seed));
+        let next = next.filter(|(_, values)| !values.leaves_none(roots(), branch));
+        let (seed, values) = next.unwrap_or_else(|| {
+            let turn = self.scalar.roomiest_turn(levels, joint);
+            let best = self.moved_by(turn, moving, seed);
+            let level = best.1.level(moving, branch);
+            let is_as_told = self.scalar.levels_tell(levels, joint, turn, level);
+            let others = roots().filter(|&i| !(i == moving && is_as_told));
+            if !best.1.leaves_none(others, branch) {
+                return best;
+            }
             let room = |turn| {
                 let values = self.moved_by(turn, moving, seed).1;
                 Room {
@@ -286,9 +292,8 @@ impl<'a> Question<'a> {
                 }
             };
             let roomiest = all_round().map(room).fold(Room::NONE, Room::or);
-            best = self.moved_by(roomiest.or_between(room).turn, moving, seed);
-        }
-        let (seed, values) = best;
+            self.moved_by(roomiest.or_between(room).turn, moving, seed)
+        });
         let further = self.moved(&values, branch, &seed, moving + 1);
         Some(further.unwrap_or(values))
     }

@@ -3,7 +3,8 @@
 //! Any value closes the step that asks for such a joint, but not every value leaves the steps behind
 //! it a real root: a UR with its wrist stretched can turn its elbow out of reach of the shoulder, and
 //! an arm in the plane of its rail may be too far along it. The branches have the seed's value. Where
-//! that leaves a later root none, the freedom is spent on it: its equation a cos θ + b sin θ = d has
+//! that leaves a later root none, the joint moves to where the root is a double one, if that is next to
+//! it. Otherwise the freedom is spent on the root: its equation a cos θ + b sin θ = d has
 //! the more room the nearer d is to zero. As a function of a free angle φ d often is
 //! d₀ + d₁ cos φ + d₂ sin φ, and of a free slide x d₀ + d₁ x + d₂ x², which its values at three places
 //! tell. Where it is not, since angles in between follow the free joint, places all round are tried.
@@ -19,8 +20,7 @@ use super::branches::Branches;
 /// What later roots say of F joints that may be free, as array lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeJoints<const L: usize, const F: usize> {
-    /// d of the root's equation a cos θ + b sin θ = d, as a share of the amplitude where that
-    /// depends on the target.
+    /// d of the root's equation a cos θ + b sin θ = d, as a share of the amplitude.
     pub level: [[Real; L]; F],
     /// Positive where the joint is free and its value leaves no real root.
     pub no_root: [[Real; L]; F],
@@ -99,6 +99,36 @@ impl Levels {
         math::wrap(math::atan2(y, x) - 2.0 * math::atan2(near, far))
     }
 
+    /// The turn, radians, to where the root becomes a double one, if that is as good as none: a seed
+    /// next to what reaches the target is to stay there.
+    ///
+    /// ```
+    /// use kin_runtime::__private::free_joint::{FreeJoint, Levels};
+    /// let angle = FreeJoint { coordinate: 0, slide: None };
+    /// let level = |turn: f64| 0.7 + 1e-6 + 0.3 * turn.cos() + 0.4 * turn.sin();
+    /// let turn = Levels::new(Levels::TURNS.map(level), angle).next_root().unwrap();
+    /// assert!(turn.abs() < 3e-6 && (level(turn) - 1.0).abs() < 1e-15);
+    ///
+    /// let slide = FreeJoint { coordinate: 0, slide: Some(1.5) };
+    /// let level = |turn: f64| -1.0 - 1e-6 + 0.4 * turn + turn * turn;
+    /// let turn = Levels::new(Levels::TURNS.map(level), slide).next_root().unwrap();
+    /// assert!(turn.abs() < 3e-6 && (level(turn) + 1.0).abs() < 1e-15);
+    ///
+    /// let far = Levels::new(Levels::TURNS.map(|turn: f64| 2.0 + turn.sin()), angle);
+    /// assert_eq!(far.next_root(), None);
+    /// ```
+    pub fn next_root(self) -> Option<Real> {
+        let [_, x, y] = self.coefficients();
+        let here = self.levels[0];
+        let beyond = here - if here < 0.0 { -1.0 } else { 1.0 };
+        // Of an angle by t, the tangent of half of it: beyond (1 + t²) + 2 y t − 2 x t² = 0.
+        let turn = match self.is_slide {
+            true => FRAC_PI_2 * nearest_zero([beyond, x, y]),
+            false => 2.0 * math::atan2(nearest_zero([beyond, 2.0 * y, beyond - 2.0 * x]), 1.0),
+        };
+        (turn.abs() <= NEXT).then_some(turn)
+    }
+
     /// Whether d is as the three turns tell it, at the fourth and where it is known too.
     pub fn tell(self, turn: Real, level: Real) -> bool {
         let coefficients = self.coefficients();
@@ -153,6 +183,9 @@ fn nearest_zero([c, b, a]: [Real; 3]) -> Real {
     };
     if below == 0.0 { 0.0 } else { over / below }
 }
+
+/// As good as no turn, radians.
+const NEXT: Real = 0.05;
 
 /// How many turns all round there are, the seed's own among them.
 const TURNS: usize = 16;
@@ -294,15 +327,20 @@ impl<R, const F: usize> Moving<R, F> {
             for k in (0..L).filter(|&k| asked[k]) {
                 open[k] = false;
                 let levels = Levels::new(samples.map(|level| level[k]), self.joints[i]);
-                let turn = levels.roomiest();
-                let mut best = self.at(seed, i, turn);
-                let is_as_told = levels.tell(turn, best.free.level[i][k]);
-                let others = self.roots_of(i).filter(|&j| !(j == i && is_as_told));
-                if best.free.leaves_none(k, others) {
+                let next = levels.next_root().map(|turn| self.at(seed, i, turn));
+                let next = next.filter(|next| !next.free.leaves_none(k, self.roots_of(i)));
+                let best = next.unwrap_or_else(|| {
+                    let turn = levels.roomiest();
+                    let best = self.at(seed, i, turn);
+                    let is_as_told = levels.tell(turn, best.free.level[i][k]);
+                    let others = self.roots_of(i).filter(|&j| !(j == i && is_as_told));
+                    if !best.free.leaves_none(k, others) {
+                        return best;
+                    }
                     let tried = tried.get_or_insert_with(|| self.tried_all_round(seed, i));
                     let room = |turn| self.room(&self.at(seed, i, turn).free, i, k, turn);
-                    best = self.at(seed, i, tried[k].or_between(room).turn);
-                }
+                    self.at(seed, i, tried[k].or_between(room).turn)
+                });
                 branches.set_lane(k, &best.branches);
                 let only = core::array::from_fn(|other| other == k);
                 self.move_from(branches, only, &best.free, &best.seed, i + 1);

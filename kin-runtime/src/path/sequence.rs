@@ -62,15 +62,19 @@ impl Joints<'_> {
             None => 0.0,
         };
         let mut raised = RAISED;
-        // A joint without a seed begins in the turn about zero, if that is as good as any other.
-        let mut everywhere = seed.iter().all(|q| q.is_finite());
+        let mut starts = starts(seed).into_iter();
+        let mut anywhere = starts.next().unwrap_or_default();
+        bound += ROUNDING * (1.0 + bound);
         while bound.is_finite() {
-            bound += ROUNDING * (1.0 + bound);
-            match self.within(bound, &layers, &left, (seed, everywhere)) {
-                Ok(sequence) => return Some(sequence),
-                Err(_) if !everywhere => everywhere = true,
-                Err(dropped) => {
+            match (
+                self.within(bound, &layers, &left, (seed, &anywhere)),
+                starts.next(),
+            ) {
+                (Ok(sequence), _) => return Some(sequence),
+                (Err(_), Some(next)) => anywhere = next,
+                (Err(dropped), None) => {
                     bound = dropped + raised;
+                    bound += ROUNDING * (1.0 + bound);
                     raised *= 2.0;
                 }
             }
@@ -157,8 +161,8 @@ impl Joints<'_> {
         math::sqrt(square)
     }
 
-    /// The sequence that moves least, if it moves less than a bound; from a seed, and whether joints
-    /// without one begin in all turns.
+    /// The sequence that moves least, if it moves less than a bound; from a seed, and with the joints
+    /// without one that begin in all turns.
     ///
     /// # Errors
     /// The least that a way would have taken that was dropped; infinite if none was.
@@ -167,7 +171,7 @@ impl Joints<'_> {
         bound: f64,
         layers: &[Vec<Solution>],
         left: &[Vec<f64>],
-        (seed, everywhere): (&[f64], bool),
+        (seed, anywhere): (&[f64], &[usize]),
     ) -> Result<Sequence, f64> {
         let mut dropped = f64::INFINITY;
         let mut ways: Vec<Vec<Way>> = Vec::with_capacity(layers.len());
@@ -175,7 +179,7 @@ impl Joints<'_> {
             let mut here = Here {
                 joints: self,
                 is_first: k == 0,
-                everywhere,
+                anywhere,
                 bound,
                 ways: Vec::new(),
                 places: BTreeMap::new(),
@@ -212,6 +216,22 @@ impl Joints<'_> {
     }
 }
 
+/// Which joints without a seed begin in all turns: none, so that they begin in the one about zero, if
+/// that is as good as any other; otherwise one of them, two, or all. Ways are as many as all turns of
+/// those together.
+fn starts(seed: &[f64]) -> Vec<Vec<usize>> {
+    let free: Vec<usize> = (0..seed.len()).filter(|&i| !seed[i].is_finite()).collect();
+    let mut starts = alloc::vec![Vec::new()];
+    starts.extend(free.iter().map(|&i| alloc::vec![i]));
+    for (k, &i) in free.iter().enumerate() {
+        starts.extend(free[..k].iter().map(|&j| alloc::vec![j, i]));
+    }
+    if free.len() > 2 {
+        starts.push(free);
+    }
+    starts
+}
+
 /// A solution inside the limits.
 struct Solution<'q> {
     /// In its layer.
@@ -234,8 +254,8 @@ struct Way {
 struct Here<'a> {
     joints: Joints<'a>,
     is_first: bool,
-    /// Whether joints without a seed begin in all turns.
-    everywhere: bool,
+    /// The joints without a seed that begin in all turns.
+    anywhere: &'a [usize],
     bound: f64,
     ways: Vec<Way>,
     /// Of a solution and its turns the place in `ways`.
@@ -288,7 +308,7 @@ impl Here<'_> {
         if !self.turn(growing, to, square, nearest) {
             return;
         }
-        let begins = !growing.start[i].is_finite() && !self.everywhere;
+        let begins = !growing.start[i].is_finite() && !self.anywhere.contains(&i);
         if begins || !joints.may_need_another_turn(i) {
             return;
         }

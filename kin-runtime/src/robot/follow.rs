@@ -101,6 +101,8 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
         (None, None) => 0.0,
     };
     let tries = [own + wanted, own, own - follow.rate, own + follow.rate];
+    // What a probe found counts if the parameter may move so far.
+    let [below, above] = [below, above].map(|it| it.filter(|_| probe <= follow.rate));
     let goes_on = tries.into_iter().find_map(smooth).or(below).or(above);
     goes_on.or_else(|| at(own))
 }

@@ -117,6 +117,10 @@ pub(super) fn passes<K: Kinematics<N>, const N: usize>(
     let chord = along(to, from, -1.0);
     let way = arm.way(from, posture);
     let chord_length = norm(chord);
+    // Of what stops where it begins.
+    if chord_length == 0.0 {
+        return (norm(way) <= SAME).then(|| along(from, &way, 1.0));
+    }
     let share = dot(way, chord) / (chord_length * chord_length);
     let aside = norm(along(&way, &chord, -share)) / chord_length;
     let ends = SAME / chord_length;

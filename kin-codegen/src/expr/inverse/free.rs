@@ -117,14 +117,8 @@ impl Writer<'_> {
         let joint = self.follower(free.unknown, plan);
         let coordinate = self.linkage.coordinate(joint)?;
         let of_size = self.linkage.size / self.linkage.links[joint].gain.abs();
-        // Of an amplitude that is a constant of the arm it tells as much without.
-        let share = match self.g.value(level.amplitude) {
-            Some(_) => level.d,
-            None => {
-                let amplitude = self.g.sqrt(level.amplitude);
-                self.g.div(level.d, amplitude)
-            }
-        };
+        let amplitude = self.g.sqrt(level.amplitude);
+        let share = self.g.div(level.d, amplitude);
         let [zero, one] = [self.g.zero(), self.g.one()];
         // A double root has room for itself, to rounding.
         let least = self.scaled(-self.tolerances.noise, level.amplitude);

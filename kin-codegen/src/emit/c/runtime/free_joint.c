@@ -53,6 +53,18 @@ static double kin_roomiest_turn(const double levels[4], int is_slide)
     }
 }
 
+/* The turn, radians, to where the root becomes a double one: d is 1 or -1. */
+static double kin_next_root(const double levels[4], int is_slide)
+{
+    const kin_level_function of = kin_level_function_of(levels, is_slide);
+    const double beyond = levels[0] - (levels[0] < 0.0 ? -1.0 : 1.0);
+    if (is_slide) {
+        return 1.5707963267948966 * kin_nearest_zero(beyond, of.first, of.second);
+    }
+    /* By the tangent of half of the angle. */
+    return 2.0 * kin_atan2(kin_nearest_zero(beyond, 2.0 * of.second, beyond - 2.0 * of.first), 1.0);
+}
+
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
 static int kin_levels_tell(const double levels[4], int is_slide, double turn, double level)
 {

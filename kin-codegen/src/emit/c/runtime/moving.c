@@ -109,8 +109,9 @@ static void kin_move_free_joints(
         kin_lanes best, all_round[15];
         int is_sampled = 0, is_round = 0;
         for (int k = 0; k < KIN_BRANCHES; ++k) {
+            const int is_slide = kin_free_slides[joint] > 0.0;
             double levels[4], turn;
-            int is_as_told;
+            int is_as_told, is_next;
             if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
@@ -125,10 +126,20 @@ static void kin_move_free_joints(
             for (int i = 0; i < 4; ++i) {
                 levels[i] = samples[i][k];
             }
-            turn = kin_roomiest_turn(levels, kin_free_slides[joint] > 0.0);
-            kin_move_by(target, seed, given, joint, turn, moved, &best);
-            is_as_told = kin_levels_tell(levels, kin_free_slides[joint] > 0.0, turn, best.level[joint][k]);
-            if (kin_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
+            /* To where the root is a double one, if that is next to the seed. */
+            turn = kin_next_root(levels, is_slide);
+            is_next = fabs(turn) <= 0.05;
+            if (is_next) {
+                kin_move_by(target, seed, given, joint, turn, moved, &best);
+                is_next = !kin_leaves_none(&best, joint, -1, k);
+            }
+            is_as_told = 0;
+            if (!is_next) {
+                turn = kin_roomiest_turn(levels, is_slide);
+                kin_move_by(target, seed, given, joint, turn, moved, &best);
+                is_as_told = kin_levels_tell(levels, is_slide, turn, best.level[joint][k]);
+            }
+            if (!is_next && kin_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
                 for (int i = 0; i < 15 && !is_round; ++i) {
                     kin_move_by(target, seed, given, joint, kin_turn_round(i), moved, &all_round[i]);
                 }

@@ -64,6 +64,16 @@ const $roomiest_turn = (levels, is_slide) => {
     return $wrap($atan2(sine, cosine) - 2.0 * $atan2(Math.sqrt(near), Math.sqrt(far)));
 };
 
+/* The turn, radians, to where the root becomes a double one: d is 1 or -1. */
+const $next_root = (levels, is_slide) => {
+    const [, first, second] = $told_by(levels, is_slide);
+    const beyond = levels[0] - (levels[0] < 0.0 ? -1.0 : 1.0);
+    return is_slide
+        ? 1.5707963267948966 * $nearest_zero([beyond, first, second])
+        /* By the tangent of half of the angle. */
+        : 2.0 * $atan2($nearest_zero([beyond, 2.0 * second, beyond - 2.0 * first]), 1.0);
+};
+
 /* Whether d is as the three turns tell it, at the fourth and where it is known too. */
 const $levels_tell = (levels, is_slide, turn, level) => {
     const [constant, x, y] = $told_by(levels, is_slide);
@@ -112,8 +122,12 @@ const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
         for (const k of asked) {
             const level = (at) => at.lanes.level[joint][k];
             const levels = samples.map(level);
-            let best = moved($roomiest_turn(levels, slide !== null));
-            const is_as_told = $levels_tell(levels, slide !== null, best.turn, level(best));
+            /* To where the root is a double one, if that is next to the seed. */
+            const next = $next_root(levels, slide !== null);
+            let best = Math.abs(next) <= 0.05 ? moved(next) : null;
+            const is_next = best !== null && !$leaves_none(form, best.lanes, joint, -1, k);
+            best = is_next ? best : moved($roomiest_turn(levels, slide !== null));
+            const is_as_told = is_next || $levels_tell(levels, slide !== null, best.turn, level(best));
             if ($leaves_none(form, best.lanes, joint, is_as_told ? joint : -1, k)) {
                 let step = 2.0 * Math.PI / 16.0;
                 /* All but the seed's own, to both sides, as slides go. */
