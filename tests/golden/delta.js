@@ -530,8 +530,8 @@ const $leaves_none = (form, lanes, joint, left_out, k) =>
         coordinate === form.free_joints[joint].coordinate && j !== left_out && lanes.no_root[j][k] > 0.0);
 
 /* The lanes with the joints from the first one moved that are free and leave a later root none, as
- * `said`: to where that has the most room. Where more than one is free, each moves after those before
- * it. */
+ * `said`: to the next value that leaves it one, or if that is far to where it has the most room. Where
+ * more than one is free, each moves after those before it. */
 const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
     for (let joint = first; joint < form.free_joints.length; ++joint) {
         const { coordinate, slide } = form.free_joints[joint];

@@ -1515,8 +1515,8 @@ static double ur5e_turn_all_round(
 }
 
 /* The lanes, or the only one, with the joints from the first one moved that are free and leave a
- * later root none, as `said`: to where that has the most room. Where more than one is free, each
- * moves after those before it. */
+ * later root none, as `said`: to the next value that leaves it one, or if that is far to where it has
+ * the most room. Where more than one is free, each moves after those before it. */
 static void ur5e_move_free_joints(
     const double target[12], const double seed[UR5E_SOLVED], const double *given,
     const ur5e_lanes *said, int first, int only, ur5e_lanes *lanes)
@@ -1532,7 +1532,7 @@ static void ur5e_move_free_joints(
         for (int k = 0; k < UR5E_BRANCHES; ++k) {
             const int is_slide = ur5e_free_slides[joint] > 0.0;
             double levels[4], turn;
-            int is_as_told, is_next;
+            int is_next;
             if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
@@ -1554,19 +1554,19 @@ static void ur5e_move_free_joints(
                 ur5e_move_by(target, seed, given, joint, turn, moved, &best);
                 is_next = !ur5e_leaves_none(&best, joint, -1, k);
             }
-            is_as_told = 0;
             if (!is_next) {
+                int is_as_told;
                 turn = ur5e_roomiest_turn(levels, is_slide);
                 ur5e_move_by(target, seed, given, joint, turn, moved, &best);
                 is_as_told = ur5e_levels_tell(levels, is_slide, turn, best.level[joint][k]);
-            }
-            if (!is_next && ur5e_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
-                for (int i = 0; i < 15 && !is_round; ++i) {
-                    ur5e_move_by(target, seed, given, joint, ur5e_turn_round(i), moved, &all_round[i]);
+                if (ur5e_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
+                    for (int i = 0; i < 15 && !is_round; ++i) {
+                        ur5e_move_by(target, seed, given, joint, ur5e_turn_round(i), moved, &all_round[i]);
+                    }
+                    is_round = 1;
+                    turn = ur5e_turn_all_round(target, seed, given, joint, all_round, k);
+                    ur5e_move_by(target, seed, given, joint, turn, moved, &best);
                 }
-                is_round = 1;
-                turn = ur5e_turn_all_round(target, seed, given, joint, all_round, k);
-                ur5e_move_by(target, seed, given, joint, turn, moved, &best);
             }
             ur5e_set_lane(lanes, &best, k);
             ur5e_move_free_joints(target, moved, given, &best, joint + 1, k, lanes);

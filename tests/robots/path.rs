@@ -347,3 +347,18 @@ fn one_joint_of_those_without_a_seed_begins_elsewhere() {
         assert!((solution.q[0] - sweep(k)).abs() < 1e-9, "{k}: {solution:?}");
     }
 }
+
+#[test]
+fn weights_that_are_not_finite_have_no_path() {
+    let arm = crate::zoo::Ur5e;
+    let q = [0.3, -1.2, 1.5, -0.7, 1.1, 0.4];
+    for weight in [f64::NAN, f64::INFINITY] {
+        let mut nearest = Nearest::new(q, &crate::zoo::Ur5e::LIMITS);
+        nearest.weights[2] = weight;
+        let none = ik_path(&arm, &[arm.fk(&q)], &nearest).unwrap_err();
+        assert_eq!(none.reason, NoSolution::NotFinite);
+        let told = "target 0 of the path: an entry of the target, the parameter, or a weight is not a \
+                    finite number";
+        assert_eq!(none.to_string(), told);
+    }
+}

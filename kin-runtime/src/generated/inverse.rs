@@ -235,7 +235,7 @@ where
     }
 
     /// The branches, where the seed's value of a free joint leaves a later step no root with that
-    /// joint moved to where it leaves the most room.
+    /// joint moved to where it leaves one.
     #[inline(always)]
     fn with_root(&self, (branches, free): Found<N, L, F>) -> Branches<N, L> {
         if F == 0 || !free.leave_no_root() {

@@ -73,6 +73,10 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
     targets: &[Pose],
     nearest: &Nearest<N>,
 ) -> Result<Path<N>, NoPath<N>> {
+    if !nearest.weights.iter().all(|weight| weight.is_finite()) {
+        let (target, reason) = (0, NoSolution::NotFinite);
+        return Err(NoPath { target, reason });
+    }
     let limits = nearest.limits();
     let mut layers: Vec<Vec<Solution<N>>> = Vec::with_capacity(targets.len());
     let mut singular = Vec::new();
@@ -89,7 +93,7 @@ pub fn ik_path<K: Kinematics<N>, const N: usize>(
             }));
         }
         layers.push(inside);
-        // A joint that is free stays where the seed has it, or where a later root has the most room:
+        // A joint that is free stays where the seed has it, or where it leaves a later root one:
         // there the rest may not reach.
         if all.is_empty() || all.iter().any(|solution| solution.singular) {
             singular.push(target);

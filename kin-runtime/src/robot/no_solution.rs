@@ -10,7 +10,8 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum NoSolution<const N: usize> {
-    /// An entry of the target that counts, or the parameter, is not a finite number.
+    /// An entry of the target that counts, the parameter, or of a path a weight, is not a finite
+    /// number.
     NotFinite,
     /// The target's rotation is none.
     NotRotation {
@@ -136,9 +137,9 @@ fn least<'a, const N: usize>(
 impl<const N: usize> fmt::Display for NoSolution<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NotFinite => {
-                f.write_str("an entry of the target, or the parameter, is not a finite number")
-            }
+            Self::NotFinite => f.write_str(
+                "an entry of the target, the parameter, or a weight is not a finite number",
+            ),
             Self::NotRotation { error } => write!(
                 f,
                 "the target's matrix is off a rotation by {error:.1e}: if that is rounding, \
@@ -198,7 +199,7 @@ mod tests {
         let texts = [
             (
                 NoSolution::NotFinite,
-                "an entry of the target, or the parameter, is not a finite number",
+                "an entry of the target, the parameter, or a weight is not a finite number",
             ),
             (
                 NoSolution::NotRotation { error: 0.25 },

@@ -28,7 +28,8 @@ pub struct Nearest<const N: usize> {
     /// finite takes no part in what is nearest.
     pub seed: [Real; N],
     /// The motion of each joint is multiplied by its weight: say, the root of
-    /// its inertia, or 0 where motion is free. 1 by [`Nearest::new`].
+    /// its inertia, or 0 where motion is free. 1 by [`Nearest::new`]. By weights that are not finite
+    /// any solution may be the nearest, and there is no path.
     pub weights: [Real; N],
     /// How far each joint may move from its seed, radians and metres, to within
     /// [`JointLimit::TOLERANCE`]: say, its

@@ -21,8 +21,9 @@ pub struct Table(pub Vec<Counts>);
 /// one or two per cent more.
 const MARGIN: f64 = 1.02;
 /// The same where an elimination takes part, which copies what another C library may copy in other
-/// pieces.
-const MARGIN_OF_ELIMINATIONS: f64 = 1.1;
+/// pieces, and of the most: a joint that is free runs a plan again by calls, and what the compiler puts
+/// in line there is another in another folder (6 %).
+const MARGIN_OF_CALLS: f64 = 1.1;
 
 impl Counts {
     pub fn of(robot: &str, kind: &str, calls: &[u64]) -> Self {
@@ -79,15 +80,20 @@ impl Table {
                 return Some(format!("counts.tsv has no {kind} of {robot}: BLESS=1"));
             };
             let margin = match ELIMINATED.contains(&robot.as_str()) {
-                true => MARGIN_OF_ELIMINATIONS,
+                true => MARGIN_OF_CALLS,
                 false => MARGIN,
             };
-            [(row.median, bound.median), (row.most, bound.most)]
-                .iter()
-                .find(|(count, bound)| *count as f64 > margin * *bound as f64)
-                .map(|(count, bound)| {
-                    format!("{kind} of {robot} takes {count} instructions, {bound} before")
-                })
+            let runs_again = row.most > row.median;
+            let margin_of_most = if runs_again { MARGIN_OF_CALLS } else { margin };
+            [
+                (row.median, bound.median, margin),
+                (row.most, bound.most, margin_of_most),
+            ]
+            .iter()
+            .find(|(count, bound, margin)| *count as f64 > margin * *bound as f64)
+            .map(|(count, bound, _)| {
+                format!("{kind} of {robot} takes {count} instructions, {bound} before")
+            })
         });
         faults.collect()
     }

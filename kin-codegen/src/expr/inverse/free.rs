@@ -20,7 +20,7 @@ pub enum FreeJoints {
     /// The same, and vectors that tell an angle badly are flagged as singular already: an
     /// elimination is asked there.
     Flagged,
-    /// Some move to where a later root has the most room if the seed's value leaves it none.
+    /// Some move to where a later root is real if the seed's value leaves it none.
     Moved(Vec<Turn>),
 }
 

@@ -94,8 +94,8 @@ static double kin_turn_all_round(
 }
 
 /* The lanes, or the only one, with the joints from the first one moved that are free and leave a
- * later root none, as `said`: to where that has the most room. Where more than one is free, each
- * moves after those before it. */
+ * later root none, as `said`: to the next value that leaves it one, or if that is far to where it has
+ * the most room. Where more than one is free, each moves after those before it. */
 static void kin_move_free_joints(
     const double target[12], const double seed[KIN_SOLVED], const double *given,
     const kin_lanes *said, int first, int only, kin_lanes *lanes)
@@ -111,7 +111,7 @@ static void kin_move_free_joints(
         for (int k = 0; k < KIN_BRANCHES; ++k) {
             const int is_slide = kin_free_slides[joint] > 0.0;
             double levels[4], turn;
-            int is_as_told, is_next;
+            int is_next;
             if (!open[k] || !(said->no_root[joint][k] > 0.0)) {
                 continue;
             }
@@ -133,19 +133,19 @@ static void kin_move_free_joints(
                 kin_move_by(target, seed, given, joint, turn, moved, &best);
                 is_next = !kin_leaves_none(&best, joint, -1, k);
             }
-            is_as_told = 0;
             if (!is_next) {
+                int is_as_told;
                 turn = kin_roomiest_turn(levels, is_slide);
                 kin_move_by(target, seed, given, joint, turn, moved, &best);
                 is_as_told = kin_levels_tell(levels, is_slide, turn, best.level[joint][k]);
-            }
-            if (!is_next && kin_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
-                for (int i = 0; i < 15 && !is_round; ++i) {
-                    kin_move_by(target, seed, given, joint, kin_turn_round(i), moved, &all_round[i]);
+                if (kin_leaves_none(&best, joint, is_as_told ? joint : -1, k)) {
+                    for (int i = 0; i < 15 && !is_round; ++i) {
+                        kin_move_by(target, seed, given, joint, kin_turn_round(i), moved, &all_round[i]);
+                    }
+                    is_round = 1;
+                    turn = kin_turn_all_round(target, seed, given, joint, all_round, k);
+                    kin_move_by(target, seed, given, joint, turn, moved, &best);
                 }
-                is_round = 1;
-                turn = kin_turn_all_round(target, seed, given, joint, all_round, k);
-                kin_move_by(target, seed, given, joint, turn, moved, &best);
             }
             kin_set_lane(lanes, &best, k);
             kin_move_free_joints(target, moved, given, &best, joint + 1, k, lanes);
