@@ -109,6 +109,11 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         unknown[i % q.len()] = f64::NAN;
         (robot.fk(q), unknown)
     }));
+    // Stretched, from seeds that are off: where a free joint leaves a root none, it moves by as much.
+    all.extend([-1e-4, -1e-9, 1e-9, 1e-4].map(|off| {
+        let stretched = vec![0.0; robot.joints()];
+        (robot.fk(&stretched), vec![off; robot.joints()])
+    }));
     // Of a CRX next to where axes 1 and 4 are one line, which Newton's method does not reach.
     let lined_up = [FRAC_PI_2, 0.0, FRAC_PI_2, -FRAC_PI_2, PI, -FRAC_PI_2];
     let off = [1.8e-10, 4e-10, -1.9e-10, -9.5e-10, -7.8e-10, 3.8e-10];
