@@ -1,7 +1,7 @@
 //! From samples to arcs.
 
 use super::sample::Sample;
-use super::task::{Point, Task};
+use super::task::{Place, Task};
 use crate::linear::vector::norm;
 use crate::{Parameter, RedundantKinematics};
 use alloc::vec::Vec;
@@ -29,15 +29,27 @@ const NO_STOP: f64 = 1e4;
 /// A piece of a curve on which the parameter grows.
 #[derive(Clone, Debug)]
 pub(super) struct Arc {
-    /// In the order of the parameter, from end to end.
-    pub points: Vec<Point>,
+    /// In the order of the parameter, from end to end; two at least.
+    pub points: Vec<Place>,
     /// Whether its end goes on at its beginning, full turns of the parameter later.
     pub is_closed: bool,
 }
 
+impl Arc {
+    /// How many chords there are between its points.
+    pub fn chords(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// A coordinate at its first point and at its last.
+    pub fn ends(&self, coordinate: usize) -> [f64; 2] {
+        [0, self.chords()].map(|i| self.points[i].x[coordinate])
+    }
+}
+
 /// An arc in the making.
 struct Open {
-    points: Vec<Point>,
+    points: Vec<Place>,
     /// Whether it begins in a fold, or where a slide's travel does.
     begins: bool,
     /// Whether it ends so.
@@ -140,7 +152,7 @@ struct Tracker<'a, K: ?Sized, const N: usize> {
 impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
     fn new(task: &'a Task<K, N>, first: &Sample, begins: bool) -> Self {
         let arcs = first.places.iter().map(|place| Open {
-            points: alloc::vec![place.x],
+            points: alloc::vec![*place],
             begins,
             ends: false,
         });
@@ -177,7 +189,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
             _ => {
                 // Nothing tells how it goes on: to what is near, or the arcs end here.
                 self.task.match_near(from, to, &mut matched);
-                let at = |sample: &Sample, k: &usize| sample.places[*k].x;
+                let at = |sample: &Sample, k: &usize| sample.places[*k];
                 (
                     matched.ending.iter().map(|k| at(from, k)).collect(),
                     matched.beginning.iter().map(|k| at(to, k)).collect(),
@@ -192,12 +204,12 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         let mut open = alloc::vec![0; to.places.len()];
         for &[i, j] in &matched.pairs {
             open[j] = self.open[i];
-            self.arcs[open[j]].points.push(to.places[j].x);
+            self.arcs[open[j]].points.push(to.places[j]);
         }
         for (&j, fold) in matched.beginning.iter().zip(beginning) {
             open[j] = self.arcs.len();
             self.arcs.push(Open {
-                points: alloc::vec![fold, to.places[j].x],
+                points: alloc::vec![fold, to.places[j]],
                 begins: true,
                 ends: false,
             });
@@ -205,25 +217,28 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         self.open = open;
     }
 
-    /// The folds in which places end, between two values of the parameter; none if not
-    /// all of them end so, two in each.
+    /// The folds in which places end, between two values of the parameter, with the tangents of arcs
+    /// there; none if not all of them end so, two in each.
     fn folds(
         &self,
         sample: &Sample,
         which: &[usize],
         sense: f64,
         [from, to]: [f64; 2],
-    ) -> Option<Vec<Point>> {
+    ) -> Option<Vec<Place>> {
         let parameter = self.task.parameter;
         let slack = 1e-12;
         let find = |&k: &usize| {
             let fold = self.task.fold(sample, k, sense)?;
-            let inside = (from - slack..=to + slack).contains(&fold[parameter]);
-            inside.then_some(fold)
+            let inside = (from - slack..=to + slack).contains(&fold.x[parameter]);
+            inside.then_some(Place {
+                x: fold.x,
+                tangent: fold.tangent.map(|t| sense * t),
+            })
         };
-        let folds: Vec<Point> = which.iter().map(find).collect::<Option<_>>()?;
-        let same = |a: &Point, b: &Point| norm(self.task.way(a, b)) < SAME;
-        let twice = |fold: &Point| folds.iter().filter(|other| same(fold, other)).count() == 2;
+        let folds: Vec<Place> = which.iter().map(find).collect::<Option<_>>()?;
+        let same = |a: &Place, b: &Place| norm(self.task.way(&a.x, &b.x)) < SAME;
+        let twice = |fold: &Place| folds.iter().filter(|other| same(fold, other)).count() == 2;
         folds.iter().all(twice).then_some(folds)
     }
 
@@ -253,9 +268,9 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
             let is_closed = loop {
                 used[here] = true;
                 let own = core::mem::take(&mut self.arcs[here].points);
-                let shifted = own.into_iter().map(|mut x| {
-                    x[self.task.parameter] += turns;
-                    x
+                let shifted = own.into_iter().map(|mut place| {
+                    place.x[self.task.parameter] += turns;
+                    place
                 });
                 // What joins two of them is in both.
                 points.extend(shifted.skip(usize::from(turns > 0.0)));

@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 /// Configurations of a part that are looked at before the least is refined, for each
 /// radian or metre of the parameter, and at least so many.
 const DENSITY: f64 = 24.0;
-const FEWEST: usize = 24;
+const FEWEST: f64 = 24.0;
 /// Between configurations with a joint farther apart, radians or metres, another is looked at,
 /// halving ends after so many in a row, and after so many in all.
 const FARTHEST: f64 = 0.2;
@@ -134,19 +134,18 @@ fn candidates<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     criterion: &Criterion<N>,
 ) -> Vec<(f64, [f64; N])> {
     let at = |variable: f64| {
-        let found = task.on(curve, curve.parameter(variable)).and_then(|x| {
+        let found = task.on(curve, variable).and_then(|x| {
             let q = criterion.wound(&task.q(&x), stops)?;
             is_within(&q, stops).then(|| (criterion.cost(task.robot, &q, stops), q))
         });
         Sample { variable, found }
     };
-    let count = FEWEST.max((curve.length(&part) * DENSITY) as usize);
-    let variable = |i: usize| part.from + (part.to - part.from) * i as f64 / count as f64;
+    let variables = task.spread_over(curve, &part, DENSITY, FEWEST);
     let mut samples = alloc::vec![at(part.from)];
     let mut between = 0;
-    for i in 1..=count {
+    for &variable in &variables[1..] {
         // Those that are still to come, the next last.
-        let mut ahead = alloc::vec![at(variable(i))];
+        let mut ahead = alloc::vec![at(variable)];
         while let (Some(here), Some(next)) = (samples.last(), ahead.last()) {
             let middle = 0.5 * (here.variable + next.variable);
             let is_between = middle != here.variable && middle != next.variable;

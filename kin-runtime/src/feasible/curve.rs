@@ -2,18 +2,13 @@
 
 use super::arcs::Arc;
 use super::lanes::MIDDLES;
-use super::task::{Place, Point, Task};
-use crate::continuation::{Cut, along};
-use crate::linear::vector::{dot, norm};
+use super::task::{Point, Task};
 use crate::{FeasibleInterval, RedundantKinematics, math};
+use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
 /// Arguments of roots below this are zero: the branches of both signs are one.
 const ZERO_ARGUMENT: f64 = 1e-11;
-/// Halvings of the way between two points of an arc.
-const HALVINGS: usize = 24;
-/// Which side of a fold points are on that are nearer to each other is rounding.
-const SHORT: f64 = 1e-6;
 
 /// A branch over an interval of the parameter.
 pub(super) struct Curve {
@@ -22,11 +17,11 @@ pub(super) struct Curve {
     pub is_closed: bool,
     /// Whether joint values along it may be anything, because an angle is free throughout.
     pub is_free: bool,
-    by: By,
+    pub by: By,
 }
 
-/// How the configuration at a value of the parameter is found.
-enum By {
+/// How its configurations are found.
+pub(super) enum By {
     /// Among all solutions by its branch of the plan; of an interval without length it is the
     /// point.
     Plan { branch: usize, point: Point },
@@ -43,48 +38,33 @@ pub(super) struct Part {
 }
 
 impl Curve {
-    /// Of an arc that has points.
-    pub fn of_points(parameter: usize, arc: Arc) -> Option<Curve> {
-        let ends = arc.points.first().zip(arc.points.last());
-        let [from, to] = ends.map(|(a, b)| [a[parameter], b[parameter]])?;
-        Some(Curve {
+    /// Of an arc.
+    pub fn of_arc(parameter: usize, arc: Arc) -> Curve {
+        let [from, to] = arc.ends(parameter);
+        Curve {
             from,
             to,
             is_closed: arc.is_closed,
             is_free: false,
             by: By::Points(arc),
-        })
+        }
     }
 
-    /// All of it. The variable is the parameter where the curve is closed, and otherwise θ from 0
-    /// to π, of which the parameter is m − h cos θ: at an end joints go with the root of the
-    /// parameter's distance from it, and so with θ.
+    /// All of it. The variable is the place along an arc. Of a branch of the plan it is the
+    /// parameter where the curve is closed, and otherwise θ from 0 to π, of which the parameter
+    /// is m − h cos θ: at an end joints go with the root of the parameter's distance from it, and
+    /// so with θ.
     pub fn whole(&self) -> Part {
-        let [from, to] = match self.is_closed {
-            true => [self.from, self.to],
-            false => [0.0, PI],
+        let [from, to] = match &self.by {
+            By::Points(arc) => [0.0, arc.chords() as f64],
+            By::Plan { .. } if self.is_closed => [self.from, self.to],
+            By::Plan { .. } => [0.0, PI],
         };
         Part {
             from,
             to,
             is_closed: self.is_closed,
         }
-    }
-
-    /// The parameter at a value of the variable.
-    pub fn parameter(&self, variable: f64) -> f64 {
-        match self.is_closed {
-            true => variable,
-            false => {
-                let (middle, half) = (0.5 * (self.from + self.to), 0.5 * (self.to - self.from));
-                middle - half * math::sin_cos(variable).1
-            }
-        }
-    }
-
-    /// How long a part is, by the parameter.
-    pub fn length(&self, part: &Part) -> f64 {
-        self.parameter(part.to) - self.parameter(part.from)
     }
 }
 
@@ -104,29 +84,63 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         }
     }
 
+    /// The point of a curve at a value of the variable.
+    pub fn on(&self, curve: &Curve, variable: f64) -> Option<Point> {
+        match &curve.by {
+            By::Plan { .. } => self.at_parameter(curve, self.parameter_on(curve, variable)),
+            By::Points(arc) => self.on_arc(arc, variable).ok(),
+        }
+    }
+
+    /// The parameter at a value of the variable.
+    pub fn parameter_on(&self, curve: &Curve, variable: f64) -> f64 {
+        let (middle, half) = (0.5 * (curve.from + curve.to), 0.5 * (curve.to - curve.from));
+        match &curve.by {
+            By::Plan { .. } if curve.is_closed => variable,
+            By::Plan { .. } => middle - half * math::sin_cos(variable).1,
+            By::Points(arc) => {
+                let (Ok(x) | Err(x)) = self.on_arc(arc, variable);
+                x[self.parameter]
+            }
+        }
+    }
+
+    /// Values of the variable on a part, ascending, both ends and points of an arc among them: so
+    /// many to each radian or metre of the parameter, and so many in all, at least.
+    pub fn spread_over(&self, curve: &Curve, part: &Part, density: f64, fewest: f64) -> Vec<f64> {
+        let mut values = alloc::vec![part.from];
+        let mut from = part.from;
+        while from < part.to {
+            let to = match curve.by {
+                By::Plan { .. } => part.to,
+                By::Points(_) => math::min(libm::floor(from) + 1.0, part.to),
+            };
+            let [first, last] = [from, to].map(|variable| self.parameter_on(curve, variable));
+            let share = fewest * (to - from) / (part.to - part.from);
+            let count = libm::ceil(math::max(density * (last - first), share)) as usize;
+            let count = count.max(1);
+            values.extend((1..=count).map(|i| from + (to - from) * i as f64 / count as f64));
+            from = to;
+        }
+        values
+    }
+
     /// The point of a curve at a value of the parameter.
-    pub fn on(&self, curve: &Curve, value: f64) -> Option<Point> {
+    fn at_parameter(&self, curve: &Curve, value: f64) -> Option<Point> {
         match &curve.by {
             By::Plan { point, .. } if curve.from == curve.to => Some(*point),
             By::Plan { branch, .. } => self.of_branch(*branch, value),
-            By::Points(arc) => {
-                let round = curve.to - curve.from;
-                let turns = match curve.is_closed {
-                    true => libm::floor((value - curve.from) / round),
-                    false => 0.0,
-                };
-                self.near_points(arc, value - turns * round)
-            }
+            By::Points(arc) => self.of_arc(arc, value),
         }
     }
 
     /// What a part of a curve is to a caller; none if nothing of it is left.
     pub fn interval(&self, curve: &Curve, part: &Part) -> Option<FeasibleInterval<N>> {
-        let [from, to] = [part.from, part.to].map(|variable| curve.parameter(variable));
+        let [from, to] = [part.from, part.to].map(|variable| self.parameter_on(curve, variable));
         let middles = MIDDLES.map(|share| from + share * (to - from));
         let middle = middles
             .into_iter()
-            .find_map(|value| self.on(curve, value))?;
+            .find_map(|value| self.at_parameter(curve, value))?;
         Some(self.wound(FeasibleInterval {
             from,
             to,
@@ -150,49 +164,6 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         Some(self.point(&found.q, value))
     }
 
-    /// Between two points of an arc.
-    fn near_points(&self, arc: &Arc, value: f64) -> Option<Point> {
-        let parameter = self.parameter;
-        let behind = arc.points.partition_point(|x| x[parameter] < value);
-        let behind = behind.clamp(1, arc.points.len().max(2) - 1);
-        let (from, to) = (arc.points.get(behind - 1)?, arc.points.get(behind)?);
-        if value <= from[parameter] {
-            return Some(*from);
-        }
-        if value >= to[parameter] {
-            return Some(*to);
-        }
-        let eased = |value: f64| eased(arc, parameter, value);
-        let (mut from, mut to) = (*from, *to);
-        for _ in 0..HALVINGS {
-            let way = self.way(&from, &to);
-            let [a, b, at] = [from[parameter], to[parameter], value].map(eased);
-            let guess = along(&from, &way, (at - a) / (b - a));
-            let found = self.meet_at(parameter, value, guess);
-            if let Some(found) = found.filter(|found| self.goes(&way, &guess, found)) {
-                return Some(found);
-            }
-            // Across the way, which folds do not turn back from.
-            let point = along(&from, &way, 0.5);
-            let middle = self.meet(&Cut { normal: way, point }, point)?;
-            match middle[parameter] {
-                p if p > from[parameter] && p <= value => from = middle,
-                p if p > value && p < to[parameter] => to = middle,
-                _ => return None,
-            }
-        }
-        None
-    }
-
-    /// Whether a point is on the way from one point of an arc to the next: next to a fold there is
-    /// one that goes back, beside it.
-    fn goes(&self, way: &Point, guess: &Point, found: &Point) -> bool {
-        let length = norm(*way);
-        let is_near = norm(self.way(guess, found)) <= 0.5 * length;
-        let ahead = |place: Place| dot(place.tangent, *way) >= 0.5 * length;
-        is_near && (length < SHORT || self.place(*found).is_some_and(ahead))
-    }
-
     /// An interval with its lower end in (−π, π], if the parameter is an angle.
     pub fn wound(&self, interval: FeasibleInterval<N>) -> FeasibleInterval<N> {
         let turns = match self.turns(self.parameter) {
@@ -213,20 +184,5 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             true => math::wrap(q[i]),
             false => q[i],
         })
-    }
-}
-
-/// A value of the parameter as that of which joints are smooth functions also next to the ends of
-/// an arc: there the parameter goes with the square of the way.
-fn eased(arc: &Arc, parameter: usize, value: f64) -> f64 {
-    let ends = arc.points.first().zip(arc.points.last());
-    let [from, to] = ends.map_or([value; 2], |(from, to)| [from, to].map(|x| x[parameter]));
-    match arc.is_closed {
-        true => value,
-        false => {
-            let [before, behind] =
-                [value - from, to - value].map(|x| math::sqrt(math::max(x, 0.0)));
-            2.0 * math::atan2(before, behind)
-        }
     }
 }

@@ -1,6 +1,6 @@
 //! Where a curve turns back: a coordinate has an extremum on it.
 
-use super::task::{Place, Point, Task};
+use super::task::{Place, Task};
 use crate::RedundantKinematics;
 use crate::continuation::{Cut, along};
 use crate::linear::vector::dot;
@@ -19,8 +19,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The next extremum of a coordinate along the curve, in the direction in which the
     /// parameter grows (`sense` 1) or falls (−1): the zero of that coordinate of the
     /// tangent, by the secant method along the curve. None if there is none near, or the
-    /// secants go the other way.
-    pub fn extremum(&self, coordinate: usize, from: &Place, sense: f64) -> Option<Point> {
+    /// secants go the other way. The tangent there is that of going so.
+    pub fn extremum(&self, coordinate: usize, from: &Place, sense: f64) -> Option<Place> {
         let mut x = from.x;
         let mut tangent = from.tangent.map(|t| sense * t);
         let mut step = FIRST;
@@ -43,7 +43,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             (x, tangent) = (next, turned);
             travelled += step;
             if step.abs() < NEAR || here == 0.0 {
-                return Some(x);
+                return Some(Place { x, tangent });
             }
             let wanted = -here / slope;
             if !wanted.is_finite() || travelled + wanted < 0.0 || travelled > FARTHEST {

@@ -1,7 +1,8 @@
 //! Parts of a curve on which all joints are within their limits.
 
 use super::change::change;
-use super::curve::{Curve, Part};
+use super::crossings::Bound;
+use super::curve::{By, Curve, Part};
 use super::interpolant::Cosines;
 use super::lanes::AMID;
 use super::memo::Memo;
@@ -9,7 +10,7 @@ use super::task::Task;
 use super::zeros::zeros;
 use crate::{JointLimit, RedundantKinematics, math};
 use alloc::vec::Vec;
-use core::f64::consts::PI;
+use core::f64::consts::{PI, TAU};
 
 /// Pieces of a curve to begin with.
 const PIECES: usize = 4;
@@ -34,15 +35,16 @@ pub(super) fn within<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     stops: &[JointLimit; N],
 ) -> Vec<Part> {
     let inside = |variable: f64| {
-        let point = task.on(curve, curve.parameter(variable));
+        let point = task.on(curve, variable);
         point.is_some_and(|x| is_within(&task.q(&x), stops))
     };
     let whole = curve.whole();
     let mut ends = alloc::vec![whole.from];
-    match curve.is_free {
-        true => ends.extend(changes(&inside, &whole)),
-        false => ends.extend(crossings(task, curve, stops)),
-    }
+    ends.extend(match &curve.by {
+        By::Plan { .. } if curve.is_free => changes(&inside, &whole),
+        By::Plan { .. } => crossings(task, curve, stops),
+        By::Points(arc) => task.crossings(arc, &bounds(task, stops)),
+    });
     ends.push(whole.to);
     ends.sort_by(f64::total_cmp);
     let mut parts: Vec<Part> = Vec::new();
@@ -109,14 +111,36 @@ fn is_narrow(stop: JointLimit) -> bool {
     stop.upper() - stop.lower() < NARROW
 }
 
-/// Where joints cross their bounds, or the value that is all they may have.
+/// Values at which joints enter their limits or leave them, or the one that is all they may have.
+fn bounds<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    task: &Task<K, N>,
+    stops: &[JointLimit; N],
+) -> Vec<Bound> {
+    let of_coordinate = |(coordinate, &joint): (usize, &usize)| {
+        let stop = stops[joint];
+        let (lower, upper) = (stop.lower() - BEYOND, stop.upper() + BEYOND);
+        let is_all = task.turns(coordinate) && upper - lower >= TAU;
+        let values = match is_narrow(stop) {
+            true => [0.5 * (lower + upper), f64::NAN],
+            false => [lower, upper],
+        };
+        let bounded = values
+            .into_iter()
+            .filter(move |value| value.is_finite() && !is_all);
+        bounded.map(move |value| Bound { coordinate, value })
+    };
+    let moving = task.moving().iter().enumerate();
+    moving.flat_map(of_coordinate).collect()
+}
+
+/// Where a branch of the plan crosses them.
 fn crossings<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     task: &Task<K, N>,
     curve: &Curve,
     stops: &[JointLimit; N],
 ) -> Vec<f64> {
     let known = Memo::new();
-    let at = |variable: f64| known.at(variable, || task.on(curve, curve.parameter(variable)));
+    let at = |variable: f64| known.at(variable, || task.on(curve, variable));
     let cosines = Cosines::new();
     let whole = curve.whole();
     let mut found = Vec::new();

@@ -16,8 +16,11 @@ mod arcs;
 mod best;
 mod change;
 mod chebyshev;
+mod chord;
+mod crossings;
 mod curve;
 mod eliminant;
+mod false_position;
 mod fold;
 mod halves;
 mod interpolant;
@@ -115,9 +118,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             };
         }
         let arcs = self.turned_arcs().unwrap_or_else(|| arcs::arcs(self));
-        let curves = arcs
-            .into_iter()
-            .filter_map(|arc| Curve::of_points(self.parameter, arc));
+        let arcs = arcs.into_iter();
+        let curves = arcs.map(|arc| Curve::of_arc(self.parameter, arc));
         let curves: Vec<Curve> = curves.collect();
         match curves.is_empty() {
             // Nothing is followed where an angle is free, whatever the parameter.

@@ -1,6 +1,6 @@
 //! All solutions at one value of the parameter, and how those at two belong together.
 
-use super::task::{Place, Point, Task, WIDTH};
+use super::task::{Place, Task, WIDTH};
 use crate::RedundantKinematics;
 use crate::continuation::along;
 use crate::linear::vector::norm;
@@ -25,7 +25,7 @@ pub(super) struct Sample {
     pub parameter: f64,
     pub places: Vec<Place>,
     /// By place, the folds to where the parameter falls and to where it grows, once looked for.
-    folds: Vec<[OnceCell<Option<Point>>; 2]>,
+    folds: Vec<[OnceCell<Option<Place>>; 2]>,
 }
 
 impl Sample {
@@ -59,7 +59,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
 
     /// The fold that a place comes to where the parameter grows (`sense` 1) or falls (−1), which
     /// every neighbour of the sample asks for.
-    pub fn fold(&self, sample: &Sample, place: usize, sense: f64) -> Option<Point> {
+    pub fn fold(&self, sample: &Sample, place: usize, sense: f64) -> Option<Place> {
         let [falling, growing] = &sample.folds[place];
         let known = if sense > 0.0 { growing } else { falling };
         *known.get_or_init(|| self.extremum(self.parameter, &sample.places[place], sense))

@@ -216,11 +216,6 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'a, K, N> {
     pub fn meet(&self, cut: &Cut<WIDTH>, guess: Point) -> Option<Point> {
         meet(|x| self.equations(x), self.resting(), cut, guess)
     }
-
-    /// The point of the curve at which a coordinate has a value.
-    pub fn meet_at(&self, coordinate: usize, value: f64, guess: Point) -> Option<Point> {
-        self.meet(&Cut::at(coordinate, value), guess)
-    }
 }
 
 /// The place of a joint among those that move.

@@ -2,11 +2,11 @@
 //! changes is the value of that joint.
 
 use super::arcs::Arc;
-use super::task::{Task, WIDTH};
+use super::task::{Place, Task, WIDTH};
 use crate::linear::vector::norm;
 use crate::{Parameter, RedundantKinematics};
 use alloc::vec::Vec;
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
 /// How far the joint's axis may be from the tool's, metres and radians: what rounding leaves.
 const SAME: f64 = 1e-12;
@@ -18,15 +18,17 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         let last = self.moving().len().checked_sub(1)?;
         let sense = self.sense(self.moving()[last])?;
         let solutions = self.solutions(-PI);
+        let mut tangent = [0.0; WIDTH];
+        (tangent[last], tangent[self.parameter]) = (sense * FRAC_1_SQRT_2, FRAC_1_SQRT_2);
         let arc = |q: &[f64; N]| {
-            let point = |quarters: u8| {
+            let place = |quarters: u8| {
                 let turn = FRAC_PI_2 * f64::from(quarters);
                 let mut x = self.point(q, turn - PI);
                 x[last] += sense * turn;
-                x
+                Place { x, tangent }
             };
             Arc {
-                points: (0..=4).map(point).collect(),
+                points: (0..=4).map(place).collect(),
                 is_closed: true,
             }
         };

@@ -6,6 +6,7 @@
 //! 18). Of that the second derivative is bounded by its coefficients, and so every part of a
 //! piece has, in the end, no zero or one.
 
+use super::false_position::{Sample, false_position};
 use super::interpolant::{Cosines, POINTS, Polynomial};
 use crate::math;
 use crate::scalar::golden_section::GoldenSection;
@@ -34,17 +35,10 @@ const PARTS: u32 = 8;
 const ROUNDING: f64 = 1e-13;
 /// An extremum nearer to zero than this may be one, but for rounding.
 const TOUCHING: f64 = 1e-9;
-/// Zeros are told to this.
-const EXACT: f64 = 1e-15;
-/// Steps towards a zero.
-const STEPS: usize = 60;
 /// Golden-section steps towards an extremum.
 const EXTREMUM: usize = 30;
 /// Over which differences are derivatives.
 const DISTANCE: f64 = 5e-3;
-
-/// A place and the value there.
-type Sample = (f64, f64);
 
 /// Where a function is zero.
 #[derive(Debug, Default)]
@@ -187,12 +181,13 @@ impl Search<'_> {
     fn look(&mut self, from: f64, to: f64) {
         let ends = [from, to].map(|t| (t, (self.f)(t)));
         if (ends[0].1 < 0.0) != (ends[1].1 < 0.0) {
-            let zero = self.zero(ends[0], ends[1]);
+            let zero = false_position(self.f, ends[0], ends[1]);
             return self.found.crossing.push(zero);
         }
         match self.beyond(ends) {
             Ok(beyond) => {
-                let both = [self.zero(ends[0], beyond), self.zero(beyond, ends[1])];
+                let both = [(ends[0], beyond), (beyond, ends[1])];
+                let both = both.map(|(from, to)| false_position(self.f, from, to));
                 self.found.crossing.extend(both);
             }
             Err(nearest) if (self.f)(nearest).abs() < TOUCHING => {
@@ -231,29 +226,6 @@ impl Search<'_> {
             true => near - step,
             false => near,
         }
-    }
-
-    /// The zero between two places of unlike signs, by the method of false position in the
-    /// version of Illinois (M. Dowell and P. Jarratt, "A modified regula falsi method", BIT 11,
-    /// 1971).
-    fn zero(&self, from: Sample, to: Sample) -> f64 {
-        let ((mut a, mut u), (mut b, mut v)) = (from, to);
-        for _ in 0..STEPS {
-            let c = (a * v - b * u) / (v - u);
-            let moved = (c - b).abs();
-            let w = (self.f)(c);
-            // The end behind which the zero is moves up; the other one counts half if it has
-            // stayed.
-            match (w < 0.0) == (v < 0.0) {
-                true => u *= 0.5,
-                false => (a, u) = (b, v),
-            }
-            (b, v) = (c, w);
-            if w == 0.0 || moved < EXACT || (b - a).abs() < EXACT {
-                break;
-            }
-        }
-        b
     }
 }
 
