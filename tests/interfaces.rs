@@ -156,6 +156,17 @@ fn several_robots_of_a_build_script_are_those_of_one() {
     let file = temporary("twins.rs");
     let error = generate_all(&file, &twins).unwrap_err().to_string();
     assert!(error.contains("two robots have the name `Arm`"), "{error}");
+    let error = generate_all(&file, &[]).unwrap_err().to_string();
+    assert!(error.contains("give a `Config` for each"), "{error}");
+    let outside = generate_all("../both.rs", &[Config::new(PLANAR)]);
+    let error = outside.unwrap_err().to_string();
+    assert!(
+        error.contains("../both.rs is outside of $OUT_DIR"),
+        "{error}"
+    );
+    let folder = temporary("");
+    let error = generate_all(&folder, &[Config::new(PLANAR)]).unwrap_err();
+    assert!(error.to_string().contains("choose another file"), "{error}");
     let wrong = [half("A", "left"), half("B", "right"), Config::new(PLANAR)];
     let error = generate_all(&file, &wrong).unwrap_err().to_string();
     assert!(

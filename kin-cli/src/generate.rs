@@ -95,7 +95,8 @@ fn c(source: &Source, options: &Options, folder: Option<&PathBuf>) -> Result<Out
 fn check(output: &Path, code: &str) -> Done {
     let shown = one_line(&output.to_string_lossy());
     match fs::read_to_string(output) {
-        Ok(found) if found == code => Done::printing(""),
+        // Checked out with the line ends of another system it is the same code.
+        Ok(found) if found.replace("\r\n", "\n") == code => Done::printing(""),
         Ok(_) => Done::failing(
             Exit::Stale,
             format!("{shown} is stale\nhelp: run the same command without --check"),

@@ -27,7 +27,7 @@ use crate::spec::{Source, file_name};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::panic;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::thread::{self, ScopedJoinHandle};
 
 /// One robot file to generate from, with the options of the macro.
@@ -172,8 +172,13 @@ impl Config {
 /// # Errors
 ///
 /// What is wrong with any of them, all at once, each as [`Config::generate`] says it; two have
-/// the same name.
+/// the same name; there is none.
 pub fn generate_all(file: impl Into<PathBuf>, robots: &[Config]) -> Result<PathBuf, Error> {
+    if robots.is_empty() {
+        return Err(Error::new(
+            "there is no robot to generate: give a `Config` for each",
+        ));
+    }
     let all = thread::scope(|scope| {
         let start = |robot| scope.spawn(move || Config::code(robot));
         let all: Vec<_> = robots.iter().map(start).collect();
@@ -204,10 +209,17 @@ pub fn generate_all(file: impl Into<PathBuf>, robots: &[Config]) -> Result<PathB
     Ok(file)
 }
 
-/// A relative path is relative to `$OUT_DIR`.
+/// A relative path is relative to `$OUT_DIR`, and stays inside.
 fn output(file: PathBuf) -> Result<PathBuf, Error> {
     if file.is_absolute() {
         return Ok(file);
+    }
+    if file.components().any(|part| part == Component::ParentDir) {
+        return Err(Error::new(format!(
+            "{} is outside of $OUT_DIR, to which it is relative: give a name without `..`, or an \
+             absolute path",
+            file.display()
+        )));
     }
     Ok(variable("OUT_DIR")?.join(file))
 }
@@ -224,8 +236,12 @@ fn variable(name: &str) -> Result<PathBuf, Error> {
 }
 
 fn write(file: &Path, code: &str) -> Result<(), Error> {
-    std::fs::write(file, code)
-        .map_err(|error| Error::new(format!("cannot write {}: {error}", file.display())))
+    std::fs::write(file, code).map_err(|error| {
+        let shown = file.display();
+        Error::new(format!(
+            "cannot write {shown}: {error}; choose another file"
+        ))
+    })
 }
 
 /// Why a build script could not generate. Its `Debug` is its text, because

@@ -923,8 +923,9 @@ const $mechanism = (mechanism) => {
     mechanism.platform = (q) => chains[0].arm.fk(mechanism.split(q)[0]);
     /* How far the loops are from closed, metres. */
     mechanism.gap = (q) => $gaps(mechanism, q, []).gap;
-    /* A closed configuration next to one, with some joints at rest, by Levenberg's method. */
-    mechanism.close = (q, resting, evaluations) => {
+    /* A closed configuration next to one, with some joints at rest, by so many evaluations of
+     * Levenberg's method at most. */
+    mechanism.close = (q, resting = [], evaluations = 40) => {
         const free = Array.from(q.keys()).filter((i) => !resting.includes(i));
         const all = (some) => {
             const whole = Array.from(q);

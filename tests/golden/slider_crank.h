@@ -10,8 +10,8 @@
  * Made again, beside the robot file, by: kin generate slider_crank.yaml --lang c -o .
  */
 
-#ifndef SLIDER_CRANK_H
-#define SLIDER_CRANK_H
+#ifndef slider_crank_H
+#define slider_crank_H
 
 /* The mechanism `slider_crank` from `frame` to `slider`, compiled from `slider_crank.yaml`. */
 

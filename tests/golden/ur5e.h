@@ -10,8 +10,8 @@
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c -o .
  */
 
-#ifndef UR5E_H
-#define UR5E_H
+#ifndef ur5e_H
+#define ur5e_H
 
 /* The arm `ur5e` from `base_link` to `tool0`, compiled from `ur5e.urdf`.
  *

@@ -104,3 +104,31 @@ where
         assert!(is_far, "{reason:?}");
     }
 }
+
+/// The nearest solution to a configuration at rest with its wrist straight, joint 5 at 0 or next to it,
+/// is that configuration: joints 4 and 6, which only together move the tip, stay where they are.
+pub fn rests<S, D>(subject: &Subject<S, D>)
+where
+    S: single::Kinematics<6>,
+    D: Kinematics<6>,
+{
+    let anywhere = [single::JointLimit::Continuous; 6];
+    let mut asked = 0;
+    for (k, mut q) in configurations::<6>().enumerate() {
+        // The elbow, next to where it is stretched, is not told to where the wrist is straight.
+        q[4] = 1.0;
+        if subject.conditioning(&q) < 0.02 {
+            continue;
+        }
+        asked += 1;
+        q[4] = [0.0, 1e-7, -1e-6, 2e-6][k % 4];
+        let seed = q.map(|x| x as f32);
+        let target = subject.single.fk(&seed);
+        let nearest = single::Nearest::new(seed, &anywhere);
+        let solutions = subject.single.ik_seeded(&target, &seed);
+        let rest = solutions.nearest_by(&nearest).unwrap();
+        let moved = rest.q.iter().zip(seed).map(|(a, b)| (a - b).abs());
+        assert!(moved.fold(0.0, f32::max) < 2e-3, "{q:?} {rest:?}");
+    }
+    assert!(asked > 500, "{asked}");
+}

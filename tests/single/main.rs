@@ -56,3 +56,12 @@ robot!(spherical_wrist, "../robots/kr6_r900.yaml");
 robot!(offset_shoulder, "../robots/puma560.yaml");
 robot!(slide, "../robots/stanford.yaml");
 robot!(four_joints, "../robots/scara.yaml");
+
+#[test]
+fn a_straight_wrist_rests() {
+    use {offset_shoulder as puma, spherical_wrist as kr6};
+    let file = "../robots/kr6_r900.yaml";
+    inverse::rests(&Subject::new(kr6::single::Arm, kr6::double::Arm, file));
+    let file = "../robots/puma560.yaml";
+    inverse::rests(&Subject::new(puma::single::Arm, puma::double::Arm, file));
+}

@@ -110,11 +110,24 @@ impl Job<'_> {
             "input": self.input.to_string_lossy(),
             "bytes": input.len(),
             "modified": modified.map(|since| since.as_nanos().to_string()),
+            "changed": changed(&input),
             "batch": self.batch,
             "strict": self.is_strict,
         });
         Ok(identity.to_string())
     }
+}
+
+/// When the file was written or replaced, which no copy keeps, where the system tells.
+#[cfg(unix)]
+fn changed(file: &fs::Metadata) -> Option<[i64; 2]> {
+    use std::os::unix::fs::MetadataExt;
+    Some([file.ctime(), file.ctime_nsec()])
+}
+
+#[cfg(not(unix))]
+fn changed(_: &fs::Metadata) -> Option<[i64; 2]> {
+    None
 }
 
 fn faulty(input: &Path, row: u64, reason: &str) -> Fault {

@@ -219,7 +219,8 @@ impl PoseColumns {
                 mended.ok_or("the matrix is no rotation")?
             }
         };
-        if self.has_last_row && [0.0, 0.0, 0.0, 1.0].map(|it| it == next()) != [true; 4] {
+        let mut is_next = |entry: f64| (next() - entry).abs() <= ROTATION;
+        if self.has_last_row && [0.0, 0.0, 0.0, 1.0].map(&mut is_next) != [true; 4] {
             return Err("the last row of the matrix is not 0, 0, 0, 1: it may be transposed");
         }
         Ok(pose)

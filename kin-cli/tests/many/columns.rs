@@ -91,6 +91,12 @@ fn matrices_are_taken_row_by_row_and_from_few_digits() {
     same(&folder, "matrices.csv", &solutions, 1e-9);
     write(&folder.join("rounded.csv"), &names, &rows(1e9));
     same(&folder, "rounded.csv", &solutions, 1e-4);
+    let mut last = rows(1e15);
+    for row in &mut last {
+        row[12..].copy_from_slice(&[1e-17, -1e-17, 0.0, 1.0 + 1e-15]);
+    }
+    write(&folder.join("last.csv"), &names, &last);
+    same(&folder, "last.csv", &solutions, 1e-9);
     let twelve: Vec<Vec<f64>> = rows(1e15).iter().map(|row| row[..12].to_vec()).collect();
     write(&folder.join("twelve.csv"), &names[..12], &twelve);
     same(&folder, "twelve.csv", &solutions, 1e-9);

@@ -142,8 +142,19 @@ fn nothing_is_gone_on_with_that_was_made_otherwise() {
     let poses = fixture.bytes("poses");
     std::thread::sleep(std::time::Duration::from_millis(20));
     fs::write(fixture.file("poses"), poses).unwrap();
-    let later = fixture.run("parts", "another robot", ALL_OF_IT);
+    let later = fixture.run("parts", "another robot", 6);
     assert_eq!(later.before, 0);
+    // A copy that has the time of what it replaces.
+    #[cfg(unix)]
+    {
+        let poses = fixture.file("poses");
+        let written = fs::metadata(&poses).unwrap().modified().unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(20));
+        let file = fs::File::options().write(true).open(&poses).unwrap();
+        file.set_modified(written).unwrap();
+        let copied = fixture.run("parts", "another robot", ALL_OF_IT);
+        assert_eq!(copied.before, 0);
+    }
 }
 
 /// Nor is something else written, or replaced.

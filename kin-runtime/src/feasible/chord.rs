@@ -34,6 +34,26 @@ pub(super) struct Chord {
 }
 
 impl Chord {
+    /// From a point, with the tangents at both ends, however long.
+    pub fn new(from: Point, way: Point, tangents: [Point; 2]) -> Self {
+        let length = norm(way);
+        let slopes = tangents.map(|tangent| match length < SHORT {
+            true => way,
+            false => {
+                let scale = length * length / dot(tangent, way);
+                tangent.map(|t| t * scale)
+            }
+        });
+        let off = slopes.map(|slope| norm(along(&slope, &way, -1.0)));
+        Chord {
+            from,
+            way,
+            length,
+            slopes,
+            bend: off[0] + off[1],
+        }
+    }
+
     /// Whether its ends tell what is in between.
     pub fn is_bent(&self) -> bool {
         // Infinite, or no number, where a tangent is across the chord.
@@ -55,22 +75,7 @@ impl Chord {
 impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     pub fn chord(&self, from: &Place, to: &Place) -> Chord {
         let way = self.way(&from.x, &to.x);
-        let length = norm(way);
-        let slopes = [from, to].map(|place| match length < SHORT {
-            true => way,
-            false => {
-                let scale = length * length / dot(place.tangent, way);
-                place.tangent.map(|t| t * scale)
-            }
-        });
-        let off = slopes.map(|slope| norm(along(&slope, &way, -1.0)));
-        Chord {
-            from: from.x,
-            way,
-            length,
-            slopes,
-            bend: off[0] + off[1],
-        }
+        Chord::new(from.x, way, [from.tangent, to.tangent])
     }
 
     /// The point that is across from a share of the chord between two; as an error where the ends

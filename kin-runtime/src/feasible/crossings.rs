@@ -146,3 +146,72 @@ fn crosses(chord: &Chord, coordinate: usize, [first, last]: [f64; 2]) -> Crosses
         false => Crosses::Unknown,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::task::WIDTH;
+    use super::*;
+
+    /// The chord of a function, which gives its derivative too, from 0 to `far`.
+    fn chord(f: &dyn Fn(f64) -> [f64; 2], far: f64) -> (Chord, [f64; 2]) {
+        let vector = |x, y| {
+            let mut vector = [0.0; WIDTH];
+            (vector[0], vector[1]) = (x, y);
+            vector
+        };
+        let [[first, rise], [last, fall]] = [0.0, far].map(f);
+        let tangents = [vector(rise, 1.0), vector(fall, 1.0)];
+        let chord = Chord::new(vector(first, 0.0), vector(last - first, far), tangents);
+        (chord, [first, last])
+    }
+
+    #[test]
+    fn what_passes_between_points_is_seen() {
+        for far in [1e-3, 0.1, 0.4] {
+            // Its ends are below zero by a share of what it rises.
+            let hill = |share: f64| {
+                let below = 0.25 * share * far * far;
+                let (chord, ends) = chord(&|t| [t * (far - t) - below, far - 2.0 * t], far);
+                crosses(&chord, 0, ends)
+            };
+            for share in [0.1, 0.9, 0.99] {
+                assert!(matches!(hill(share), Crosses::Unknown), "{far} {share}");
+            }
+            assert!(matches!(hill(40.0), Crosses::Never), "{far}");
+        }
+        // More bent in the middle than the tangents at the ends say.
+        let far = 0.2;
+        let steep = |t: f64| {
+            let (rise, slope) = (t * (far - t), far - 2.0 * t);
+            let square = far * far;
+            [
+                rise + 2.0 * rise * rise / square - 0.36 * square,
+                slope * (1.0 + 4.0 * rise / square),
+            ]
+        };
+        let (bent, ends) = chord(&steep, far);
+        assert!(steep(0.5 * far)[0] > 0.0 && ends[0] < 0.0);
+        assert!(matches!(crosses(&bent, 0, ends), Crosses::Unknown));
+        // The same squared, of whose rise the tangents at the ends say nothing.
+        let far = 0.3;
+        let flat = |t: f64| {
+            let rise = t * (far - t);
+            [rise * rise - 2e-4, 2.0 * rise * (far - 2.0 * t)]
+        };
+        let (chord, ends) = chord(&flat, far);
+        assert!(flat(0.5 * far)[0] > 0.0 && ends[0] < 0.0);
+        assert!(matches!(crosses(&chord, 0, ends), Crosses::Unknown));
+    }
+
+    #[test]
+    fn what_goes_one_way_crosses_once() {
+        let (steady, ends) = chord(&|t| [t.sin() - 0.1, t.cos()], 0.3);
+        assert!(matches!(crosses(&steady, 0, ends), Crosses::Once));
+        let (wave, ends) = chord(&|t| [0.1 * (20.0 * t).sin(), 2.0 * (20.0 * t).cos()], 0.3);
+        assert!(matches!(crosses(&wave, 0, ends), Crosses::Unknown));
+        // Half a turn away from the value.
+        let (steady, _) = chord(&|t| [t, 1.0], 0.3);
+        let ends = [3.1, 3.4 - core::f64::consts::TAU];
+        assert!(matches!(crosses(&steady, 0, ends), Crosses::Never));
+    }
+}

@@ -118,7 +118,6 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
             let [first, last] = [from, to].map(|variable| self.parameter_on(curve, variable));
             let share = fewest * (to - from) / (part.to - part.from);
             let count = libm::ceil(math::max(density * (last - first), share)) as usize;
-            let count = count.max(1);
             values.extend((1..=count).map(|i| from + (to - from) * i as f64 / count as f64));
             from = to;
         }

@@ -18,11 +18,11 @@ pub const ROTATION: Real = 2e-5;
 /// What is smaller than this, relative to the largest, adds no rank.
 pub const RANK: Real = 1e-5;
 
-/// A vector whose square is below this, relative to its scale, tells no angle: its length is that
-/// of rounding.
-pub const FREE_BELOW: Real = 1e-12;
-/// A vector whose square is below this moves the tip by half of what a solution may miss: the
-/// angle that it tells may be given up for any other.
+/// A vector whose square is below this, relative to its scale, tells no angle: rounding, 5e-7, turns
+/// it by a twentieth of a radian, and the tip moves by half of what a solution may miss, whatever
+/// the angle.
+pub const FREE_BELOW: Real = 1e-10;
+/// The same where the angle that it tells would be given up for any other.
 pub const NEARLY_FREE: Real = 1e-10;
 /// How far the level of a free joint is at most, where it is the sum that three places tell, from that
 /// sum, relative to its terms.

@@ -48,7 +48,8 @@ pub fn all(compiled: &CompiledArm, prefix: &str) -> String {
 /// Declarations as a header, with what holds of all of them in front.
 pub fn guarded(prefix: &str, about: &str, conventions: &str, declarations: &str) -> String {
     let conventions = named(conventions, prefix);
-    let guard = named("KIN_H", prefix);
+    // Names that differ by case are two.
+    let guard = format!("{prefix}_H");
     format!(
         "#ifndef {guard}\n#define {guard}\n\n{about}\n{conventions}\n#ifdef __cplusplus\n\
          extern \"C\" {{\n#endif\n\n{declarations}\n#ifdef __cplusplus\n}}\n#endif\n\n#endif\n"

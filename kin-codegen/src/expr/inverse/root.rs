@@ -27,7 +27,7 @@ pub(super) struct Discriminant {
 impl Discriminant {
     /// Whether there is no cancellation in it: of its digits rounding takes none, however small it is.
     pub fn keeps_digits(&self, tolerances: &Tolerances) -> bool {
-        self.noise < tolerances.nearly_free
+        self.noise <= tolerances.nearly_free
     }
 
     /// A sum of squares, which is never below zero.
