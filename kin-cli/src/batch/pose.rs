@@ -302,13 +302,16 @@ fn missing<'a>(
     })
 }
 
-/// Names for a message, not too many.
+/// Names for a message, not too many, and of long ones the start.
 pub fn list(names: &[String]) -> String {
     const SHOWN: usize = 20;
-    let shown = names.iter().take(SHOWN);
-    let mut shown: Vec<String> = shown
-        .map(|name| format!("`{}`", kin_codegen::spec::one_line(name)))
-        .collect();
+    const LONGEST: usize = 80;
+    let short = |name: &String| {
+        let start: String = name.chars().take(LONGEST).collect();
+        let rest = if start.len() < name.len() { " …" } else { "" };
+        format!("`{}`{rest}", kin_codegen::spec::one_line(&start))
+    };
+    let mut shown: Vec<String> = names.iter().take(SHOWN).map(short).collect();
     if names.len() > SHOWN {
         shown.push(format!("{} more", names.len() - SHOWN));
     }

@@ -65,23 +65,22 @@ pub fn number_for_name(path: &Path, names: &[String]) -> Option<Fault> {
     Some(Fault::whole(path, reason, NAMES))
 }
 
-/// What separates fields, and the names of the columns.
+/// What separates fields, of which there are most by that, and the names of the columns.
 fn names(path: &Path, line: &[u8]) -> Result<(u8, Vec<String>), Fault> {
     const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
     if line.starts_with(b"\xff\xfe") || line.starts_with(b"\xfe\xff") {
         return Err(Fault::whole(path, "is in UTF-16", "save it in UTF-8"));
     }
     let line = line.strip_prefix(BYTE_ORDER_MARK).unwrap_or(line);
-    let is_there = |separator: &u8| line.contains(separator);
-    let separator = SEPARATORS
-        .into_iter()
-        .find(is_there)
-        .unwrap_or(SEPARATORS[0]);
-    let mut record = ByteRecord::new();
-    let found = rows_of(line, separator).read_byte_record(&mut record);
-    if !found.unwrap_or(false) {
+    let record_by = |separator: u8| {
+        let mut record = ByteRecord::new();
+        let found = rows_of(line, separator).read_byte_record(&mut record);
+        found.unwrap_or(false).then_some((separator, record))
+    };
+    let by_each = SEPARATORS.into_iter().rev().filter_map(record_by);
+    let Some((separator, record)) = by_each.max_by_key(|(_, record)| record.len()) else {
         return Err(Fault::whole(path, "the first line cannot be read", NAMES));
-    }
+    };
     let name = |field: &[u8]| String::from_utf8_lossy(field.trim_ascii()).into_owned();
     let names: Vec<String> = record.iter().map(name).collect();
     Ok((separator, names))

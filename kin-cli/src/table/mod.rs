@@ -16,6 +16,7 @@ pub use fault::{Fault, Place};
 pub use npy::head as npy_head;
 
 use std::fs::File;
+use std::io::{Read as _, Seek as _};
 use std::path::Path;
 
 /// How a table is written as a file.
@@ -62,13 +63,42 @@ impl Format {
         })
     }
 
+    /// What files of it begin with; nothing of text.
+    const fn magic(self) -> &'static [u8] {
+        match self {
+            Format::Csv => b"",
+            Format::Npy => b"\x93NUMPY",
+            Format::Parquet => b"PAR1",
+        }
+    }
+
     /// Opens a file and reads what its columns are.
     ///
     /// # Errors
     ///
     /// The file cannot be read, or is no table of this format.
     pub fn open(self, path: &Path) -> Result<Box<dyn Reader>, Fault> {
-        let file = File::open(path).map_err(|error| Fault::unreadable(path, &error))?;
+        let unreadable = |error| Fault::unreadable(path, &error);
+        let mut file = File::open(path).map_err(unreadable)?;
+        let mut start = Vec::new();
+        // What cannot be read twice has no name that tells a format either.
+        if file.metadata().is_ok_and(|it| it.is_file()) {
+            let read = (&mut file).take(8).read_to_end(&mut start);
+            read.and_then(|_| file.rewind()).map_err(unreadable)?;
+        }
+        let is = |it: &Format| *it != Format::Csv && start.starts_with(it.magic());
+        if let Some(found) = Self::ALL
+            .into_iter()
+            .find(is)
+            .filter(|found| *found != self)
+        {
+            let found = found.extension();
+            return Err(Fault::whole(
+                path,
+                format!("the content is that of a `.{found}` file"),
+                format!("let its name end with `.{found}`"),
+            ));
+        }
         Ok(match self {
             Format::Csv => Box::new(csv::CsvReader::new(path, file)?),
             Format::Npy => Box::new(npy::NpyReader::new(path, file)?),

@@ -143,6 +143,8 @@ fn text_is_taken_with_a_mark_quotes_and_other_separators() {
     let text = fs::read_to_string(folder.join("poses.csv")).unwrap();
     let quoted = |line: &str| format!("\"{}\"", line.replace(',', "\",\""));
     let all_quoted: Vec<String> = text.lines().map(quoted).collect();
+    let named = |line: &str| format!("\"a,b\";{}\n", line.replace(',', ";"));
+    let comma_in_name: String = text.lines().map(named).collect();
     for (name, text) in [
         ("mark", format!("\u{feff}{text}")),
         ("breaks", text.replace('\n', "\r\n")),
@@ -151,6 +153,7 @@ fn text_is_taken_with_a_mark_quotes_and_other_separators() {
         ("spaces", text.replace(',', " , ")),
         ("semicolons", text.replace(',', ";")),
         ("tabs", text.replace(',', "\t")),
+        ("comma", comma_in_name),
         ("end", text.trim_end().to_owned()),
     ] {
         let name = format!("{name}.csv");

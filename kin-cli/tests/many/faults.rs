@@ -89,6 +89,8 @@ fn columns_that_make_no_poses_are_told() {
     ] {
         assert_eq!(said("ik", "poses.csv", names.as_bytes()), expected);
     }
+    let long = said("ik", "poses.csv", "long".repeat(100_000).as_bytes());
+    assert!(long.len() < 200 && long.ends_with("longlong` …"), "{long}");
 }
 
 /// A rail called `y` in front of an arm, as they often are, and poses with a column `y`.
@@ -239,6 +241,14 @@ fn files_that_are_none_of_these_are_told() {
     );
     assert!(said("fk", "joints.parquet", b"").starts_with("is no Parquet file: "));
     assert!(said("fk", "joints.parquet", b"PAR1....PAR1").starts_with("is no Parquet file: "));
+    for (name, bytes, found) in [
+        ("packed.csv", &b"PAR1\x15\x04\x15\x80\0"[..], "parquet"),
+        ("array.csv", b"\x93NUMPY\x01\0v\0", "npy"),
+        ("array.parquet", b"\x93NUMPY\x01\0v\0", "npy"),
+    ] {
+        let expected = format!("the content is that of a `.{found}` file");
+        assert_eq!(said("fk", name, bytes), expected);
+    }
     let said = said("fk", "joints.txt", b"");
     assert_eq!(said, "the name does not tell the format of the table");
 

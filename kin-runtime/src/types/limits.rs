@@ -41,7 +41,8 @@ pub enum JointLimit {
 impl JointLimit {
     /// How far beyond a stop a value still counts as resting on it, radians or
     /// metres: the accuracy of inverse kinematics, so that a posture at a stop
-    /// is not lost to rounding.
+    /// is not lost to rounding. It is put on the stop, by which the tip moves as much farther from the
+    /// target than a solution's residual says.
     pub const TOLERANCE: Real = STOP;
 
     /// A revolute joint between two stops, radians.
