@@ -54,14 +54,18 @@ impl Chord {
         }
     }
 
-    /// Whether its ends tell what is in between.
+    /// Whether its ends tell nothing of what is in between.
     pub fn is_bent(&self) -> bool {
         // Infinite, or no number, where a tangent is across the chord.
         !self.bend.is_finite() || self.bend > BENT * self.length
     }
 
-    /// The point at a share of the chord, to the fourth order in its length: the cubic of Hermite.
+    /// The point at a share of the chord, to the fourth order in its length: the cubic of Hermite,
+    /// where the ends tell it.
     fn expected(&self, share: f64) -> Point {
+        if self.is_bent() {
+            return along(&self.from, &self.way, share);
+        }
         let (s, rest) = (share, 1.0 - share);
         let [first, last] = self.slopes;
         core::array::from_fn(|i| {
@@ -119,8 +123,8 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 
     /// The point of an arc at a place: how many of its points are before it, and the share of the
-    /// chord to the next one; of a closed arc also
-    /// rounds later. As an error as good as its neighbours tell.
+    /// chord to the next one; of a closed arc also rounds later. As an error where its neighbours tell
+    /// it to be.
     pub fn on_arc(&self, arc: &Arc, place: f64) -> Result<Point, Point> {
         let count = arc.chords() as f64;
         let rounds = match arc.is_closed {
@@ -161,11 +165,52 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         if ends[1].1 <= 0.0 {
             return Some(to.x);
         }
+        // Where Newton's method gets to none, there is nothing to look for.
         let off = |share| {
-            let (Ok(x) | Err(x)) = self.between([from, to], share);
-            x[parameter] - value
+            let found = self.between([from, to], share);
+            found.map_or(0.0, |x| x[parameter] - value)
         };
         let share = false_position(off, ends[0], ends[1]);
         self.between([from, to], share).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::task::WIDTH;
+    use super::*;
+
+    fn vector(x: f64, y: f64) -> Point {
+        let mut vector = [0.0; WIDTH];
+        (vector[0], vector[1]) = (x, y);
+        vector
+    }
+
+    #[test]
+    fn what_is_expected_is_a_number_whatever_the_tangents() {
+        let way = vector(0.0, 0.4);
+        for across in [vector(1.0, 0.0), vector(0.0, 0.0), vector(f64::NAN, 1.0)] {
+            let chord = Chord::new(vector(0.3, 0.0), way, [across, vector(0.0, 1.0)]);
+            assert!(chord.is_bent());
+            assert_eq!(chord.expected(0.25), vector(0.3, 0.1));
+        }
+        // No way at all.
+        let chord = Chord::new(vector(0.3, 0.0), vector(0.0, 0.0), [vector(1.0, 0.0); 2]);
+        assert_eq!(chord.expected(0.25), vector(0.3, 0.0));
+    }
+
+    /// A circle about 0, by its points at ±a.
+    #[test]
+    fn what_is_expected_is_off_by_the_fourth_power() {
+        let off = |a: f64| {
+            let from = vector(a.cos(), -a.sin());
+            let way = vector(0.0, 2.0 * a.sin());
+            let tangents = [vector(a.sin(), a.cos()), vector(-a.sin(), a.cos())];
+            let [x, y, ..] = Chord::new(from, way, tangents).expected(0.5);
+            assert!(y.abs() < 1e-15);
+            (x - 1.0).abs()
+        };
+        let ratio = off(0.2) / off(0.1);
+        assert!((ratio - 16.0).abs() < 1.0, "{ratio}");
     }
 }
