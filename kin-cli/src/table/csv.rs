@@ -77,6 +77,7 @@ fn names(path: &Path, line: &[u8]) -> Result<(u8, Vec<String>), Fault> {
         let found = rows_of(line, separator).read_byte_record(&mut record);
         found.unwrap_or(false).then_some((separator, record))
     };
+    // Of several that give as many the first.
     let by_each = SEPARATORS.into_iter().rev().filter_map(record_by);
     let Some((separator, record)) = by_each.max_by_key(|(_, record)| record.len()) else {
         return Err(Fault::whole(path, "the first line cannot be read", NAMES));

@@ -63,12 +63,12 @@ impl Format {
         })
     }
 
-    /// What files of it begin with; nothing of text.
-    const fn magic(self) -> &'static [u8] {
+    /// What files of it begin with; none if they are text.
+    const fn magic(self) -> Option<&'static [u8]> {
         match self {
-            Format::Csv => b"",
-            Format::Npy => b"\x93NUMPY",
-            Format::Parquet => b"PAR1",
+            Format::Csv => None,
+            Format::Npy => Some(b"\x93NUMPY"),
+            Format::Parquet => Some(b"PAR1"),
         }
     }
 
@@ -81,17 +81,14 @@ impl Format {
         let unreadable = |error| Fault::unreadable(path, &error);
         let mut file = File::open(path).map_err(unreadable)?;
         let mut start = Vec::new();
-        // What cannot be read twice has no name that tells a format either.
+        // A pipe is not read twice.
         if file.metadata().is_ok_and(|it| it.is_file()) {
             let read = (&mut file).take(8).read_to_end(&mut start);
             read.and_then(|_| file.rewind()).map_err(unreadable)?;
         }
-        let is = |it: &Format| *it != Format::Csv && start.starts_with(it.magic());
-        if let Some(found) = Self::ALL
-            .into_iter()
-            .find(is)
-            .filter(|found| *found != self)
-        {
+        let is = |it: &Format| it.magic().is_some_and(|magic| start.starts_with(magic));
+        let found = Self::ALL.into_iter().find(is);
+        if let Some(found) = found.filter(|found| *found != self) {
             let found = found.extension();
             return Err(Fault::whole(
                 path,

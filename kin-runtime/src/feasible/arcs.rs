@@ -217,8 +217,8 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         self.open = open;
     }
 
-    /// The folds in which places end, between two values of the parameter, with the tangents of arcs
-    /// there; none if not all of them end so, two in each.
+    /// The folds in which places end, between two values of the parameter; none if not
+    /// all of them end so, two in each.
     fn folds(
         &self,
         sample: &Sample,
@@ -231,10 +231,7 @@ impl<'a, K: RedundantKinematics<N> + ?Sized, const N: usize> Tracker<'a, K, N> {
         let find = |&k: &usize| {
             let fold = self.task.fold(sample, k, sense)?;
             let inside = (from - slack..=to + slack).contains(&fold.x[parameter]);
-            inside.then_some(Place {
-                x: fold.x,
-                tangent: fold.tangent.map(|t| sense * t),
-            })
+            inside.then_some(fold)
         };
         let folds: Vec<Place> = which.iter().map(find).collect::<Option<_>>()?;
         let same = |a: &Place, b: &Place| norm(self.task.way(&a.x, &b.x)) < SAME;

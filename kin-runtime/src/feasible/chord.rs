@@ -34,7 +34,7 @@ pub(super) struct Chord {
 }
 
 impl Chord {
-    /// From a point, with the tangents at both ends, however long.
+    /// From a point, with the tangents at both ends, however long and to either side.
     pub fn new(from: Point, way: Point, tangents: [Point; 2]) -> Self {
         let length = norm(way);
         let slopes = tangents.map(|tangent| match length < SHORT {
@@ -145,7 +145,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     }
 
     /// The point of an arc at a value of the parameter, which grows along it.
-    pub fn of_arc(&self, arc: &Arc, value: f64) -> Option<Point> {
+    pub fn on_arc_at(&self, arc: &Arc, value: f64) -> Option<Point> {
         let parameter = self.parameter;
         let [first, last] = arc.ends(parameter);
         let rounds = match arc.is_closed {

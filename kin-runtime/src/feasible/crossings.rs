@@ -133,7 +133,7 @@ fn crosses(chord: &Chord, coordinate: usize, [first, last]: [f64; 2]) -> Crosses
     let (least, most) = coefficients
         .iter()
         .fold((first, first), |(least, most), &x| {
-            (-math::max(-least, -x), math::max(most, x))
+            (math::min(least, x), math::max(most, x))
         });
     if least > noise || most < -noise {
         return Crosses::Never;

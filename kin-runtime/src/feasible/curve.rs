@@ -129,7 +129,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
         match &curve.by {
             By::Plan { point, .. } if curve.from == curve.to => Some(*point),
             By::Plan { branch, .. } => self.of_branch(*branch, value),
-            By::Points(arc) => self.of_arc(arc, value),
+            By::Points(arc) => self.on_arc_at(arc, value),
         }
     }
 

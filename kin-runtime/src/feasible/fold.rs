@@ -19,7 +19,7 @@ impl<K: RedundantKinematics<N> + ?Sized, const N: usize> Task<'_, K, N> {
     /// The next extremum of a coordinate along the curve, in the direction in which the
     /// parameter grows (`sense` 1) or falls (−1): the zero of that coordinate of the
     /// tangent, by the secant method along the curve. None if there is none near, or the
-    /// secants go the other way. The tangent there is that of going so.
+    /// secants go the other way. The tangent there is one to where the curve goes on.
     pub fn extremum(&self, coordinate: usize, from: &Place, sense: f64) -> Option<Place> {
         let mut x = from.x;
         let mut tangent = from.tangent.map(|t| sense * t);
