@@ -436,6 +436,9 @@ fn nearest_is_the_same(
             by <= least + MET,
             "{of:?}: {q:?} moves by {by}, one listed by {least}"
         );
+        // Beside the seed there is one.
+        let is_beside = moved(&nearest.q).is_some_and(|by| by < NEARBY * NEARBY);
+        assert!(!is_beside || by < NEARBY, "{of:?}: {q:?} moves by {by}");
     } else {
         // None at all, or none within limits.
         let is_reached = !rust.ik_seeded_at(pose, parameters, seed).is_empty();

@@ -38,7 +38,7 @@ const OF_SEARCH: [[&str; 2]; 16] = [
     ["b * cosine[k] - a * sine[k]", "b * cosine[k] + a * sine[k]"],
     ["_EXTRANEOUS 0.05", "_EXTRANEOUS 1e-15"],
     ["0.3 / longest[k]", "-0.3 / longest[k]"],
-    ["residual <= 1e-13", "residual <= 1e-3"],
+    ["_REACHED 1e-13", "_REACHED 1e-3"],
     ["_SAME 1e-6", "_SAME 1.0"],
     ["_SINGULAR 1e-5", "_SINGULAR 1e-2"],
     ["found->gap <= 1e-9", "found->gap <= 1e-1"],
@@ -108,6 +108,12 @@ const OF_COMPLETION: [[&str; 2]; 1] = [[
 
 /// The same of what tells that no branch reaches a target.
 const OF_UNANSWERED: [[&str; 2]; 1] = [["count == 0 && incomplete", "count != 0 && incomplete"]];
+
+/// The same of what leads to a singular solution that the seed is beside.
+const OF_REST: [[&str; 2]; 1] = [["residual[0] < 1e-2", "residual[0] < 1e-20"]];
+
+/// The same in JavaScript.
+const OF_REST_IN_JS: [[&str; 2]; 1] = [["residual < 1e-2", "residual < 1e-20"]];
 
 /// The same of joints that are given, some of them between those that are solved for.
 const OF_GIVEN: [[&str; 2]; 4] = [
@@ -209,7 +215,7 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 19] = [
     ["b * cosine - a * sine", "b * cosine + a * sine"],
     ["const $EXTRANEOUS = 0.05", "const $EXTRANEOUS = 1e-15"],
     ["(0.3 / longest)", "(-0.3 / longest)"],
-    ["residual <= 1e-13", "residual <= 1e-17"],
+    ["const $REACHED = 1e-13", "const $REACHED = 1e-17"],
     ["solution.q[i]) < $SAME", "solution.q[i]) < 1.0"],
     ["const $SINGULAR = 1e-5", "const $SINGULAR = 1e-2"],
     ["search.gap <= 1e-9", "search.gap <= 1e-1"],
@@ -347,6 +353,18 @@ fn mistakes_of_what_is_unanswered_are_found() {
     each_of_is_found("mistakes_of_unanswered", &of_unanswered(), &OF_UNANSWERED);
 }
 
+fn of_rest() -> Asked {
+    Asked {
+        eliminates: true,
+        ..Asked::of("tests/robots/crx10ial.yaml", Options::default())
+    }
+}
+
+#[test]
+fn mistakes_of_rest_are_found() {
+    each_of_is_found("mistakes_of_rest", &of_rest(), &OF_REST);
+}
+
 #[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
@@ -396,6 +414,7 @@ fn mistakes_in_javascript_are_found() {
         (of_given(), &OF_GIVEN_IN_JS[..]),
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
+        (of_rest(), &OF_REST_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_parabolas, &OF_PARABOLAS[..]),
         (of_slides, &OF_SLIDES_IN_JS[..]),

@@ -120,6 +120,21 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
     let joints = 0..robot.joints();
     let beside: Vec<f64> = joints.map(|i| lined_up[i % 6] + off[i % 6]).collect();
     all.push((robot.fk(&beside), vec![0.0; robot.joints()]));
+    // Held where its axes line up twice, where Newton's method leads away.
+    let home = [FRAC_PI_2, 0.0, FRAC_PI_2, 0.0, FRAC_PI_2, PI];
+    let off = [
+        [
+            6.834e-8, 3.108e-8, -5.194e-8, -8.327e-8, -5.499e-8, 4.686e-8,
+        ],
+        [6.628e-5, 2.324e-5, 7.1e-5, -8.614e-5, -1.822e-5, -9.469e-5],
+        [5.844e-7, 2.378e-7, -8.567e-7, -2.216e-7, 6.969e-7, 4.573e-7],
+    ];
+    all.extend(off.map(|off| {
+        let joints = 0..robot.joints();
+        let held: Vec<f64> = joints.clone().map(|i| home[i % 6]).collect();
+        let seed = joints.map(|i| home[i % 6] + off[i % 6]);
+        (robot.fk(&held), seed.collect())
+    }));
     // Just out of reach.
     all.extend(beyond_reach(robot, &pose).map(|pose| (pose, configurations[1].clone())));
     all

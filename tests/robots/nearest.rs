@@ -242,13 +242,30 @@ fn a_free_slide_moves_to_where_the_arm_reaches() {
     }
 }
 
+/// Holding a pose, from seeds that are off by as much; no joint moves by more than the root of that, as
+/// where two solutions meet.
+fn is_held(robot: &Robot, file: &str, home: [f64; 6], seeds: u64) {
+    let target = robot.fk(&home);
+    let mut random = Random::new(11);
+    for k in 0..seeds {
+        let off = 10_f64.powi(-12 + (k % 10) as i32);
+        let seed = home.map(|q| q + random.between(-off, off));
+        let found = robot.ik_nearest(&target, &seed).unwrap();
+        let moved = found.q.iter().zip(&seed).map(|(q, seed)| (q - seed).abs());
+        let moved = moved.fold(0.0, f64::max);
+        assert!(
+            moved < 10.0 * off.sqrt() + 1e-6,
+            "{file}, {home:?}: {moved:e} from {seed:?}"
+        );
+    }
+}
+
 /// Holding a pose in which the arm is stretched and its wrist aligned: a joint that is free there
 /// stays next to where the seed has it, though beside the target's own value the elbow may have no
 /// root. Where it has one, the elbow bends by the root of what the seed is off.
 #[test]
 fn at_rest_where_arm_and_wrist_are_stretched_no_elbow_jumps() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut random = Random::new(11);
     for (file, home) in [
         ("robots/ur5e.urdf", [0.3, 0.0, 0.0, 0.0, 0.0, 0.4]),
         ("robots/ur5e.urdf", [0.0; 6]),
@@ -262,18 +279,21 @@ fn at_rest_where_arm_and_wrist_are_stretched_no_elbow_jumps() {
             true => Robot::from_urdf(folder.join(file)),
             false => Robot::from_yaml(folder.join(file)),
         };
-        let robot = robot.unwrap();
-        let target = robot.fk(&home);
-        for k in 0..400 {
-            let off = 10_f64.powi(-12 + k % 10);
-            let seed = home.map(|q| q + random.between(-off, off));
-            let found = robot.ik_nearest(&target, &seed).unwrap();
-            let moved = found.q.iter().zip(&seed).map(|(q, seed)| (q - seed).abs());
-            let moved = moved.fold(0.0, f64::max);
-            assert!(
-                moved < 10.0 * off.sqrt() + 1e-6,
-                "{file}, {home:?}: {moved:e} from {seed:?}"
-            );
-        }
+        is_held(&robot.unwrap(), file, home, 400);
+    }
+}
+
+/// Where the Jacobian loses two ranks at once, Newton's steps lead away from a solution next to them.
+#[test]
+fn at_rest_where_axes_line_up_twice_no_joint_jumps() {
+    let file = "tests/robots/crx10ial.yaml";
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let robot = Robot::from_yaml(folder.join(file)).unwrap();
+    for home in [
+        [FRAC_PI_2, 0.0, FRAC_PI_2, 0.0, FRAC_PI_2, PI],
+        [0.0, 0.0, FRAC_PI_2, PI, FRAC_PI_2, 0.0],
+        [0.0; 6],
+    ] {
+        is_held(&robot, file, home, 100);
     }
 }

@@ -5,7 +5,7 @@ use super::search::{Search, whole};
 use super::{LANES, Univariate};
 use crate::linear::normal_equations::Factor;
 use crate::linear::vector::{norm, sub};
-use crate::{Jacobian, Pose, Solution, Target, Twist, math};
+use crate::{Pose, Solution, Target, math};
 
 /// Steps of a descent at most.
 const STEPS: usize = 60;
@@ -27,7 +27,7 @@ pub(super) fn closest(arm: &Univariate, target: &Pose, joints: usize) -> Option<
         q: wrapped(arm.frames.prismatic, q),
         residual: arm
             .counts
-            .distance(&task.fk_jacobian(&q).0, &target, arm.size),
+            .distance(&task.frames.fk_jacobian(&q).0, &target, arm.size),
         branch: 0,
         singular: false,
     })
@@ -35,7 +35,7 @@ pub(super) fn closest(arm: &Univariate, target: &Pose, joints: usize) -> Option<
 
 pub(super) struct Task<'a> {
     /// Lengths in metres.
-    frames: Frames,
+    pub frames: Frames,
     target: &'a Pose,
     size: f64,
     /// How many there are; those behind stay at zero.
@@ -59,26 +59,10 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// The pose of the tip, and the spatial Jacobian.
-    pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
-        let Frames { fixed, .. } = &self.frames;
-        let mut pose = fixed[0];
-        let columns = core::array::from_fn(|i| {
-            let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
-            let twist = match self.frames.slides(i) {
-                true => Twist::prismatic(axis),
-                false => Twist::revolute(axis, pose.translation),
-            };
-            pose = pose * self.frames.motion(i, q[i]) * fixed[i + 1];
-            twist
-        });
-        (pose, Jacobian::from_columns(columns))
-    }
-
     /// What is missing, and the rows of the Jacobian that make it, lengths in units of
     /// the arm's size. Half a turn off, the sine of the angle is zero: the angle counts.
     fn missing(&self, q: &[f64; 6]) -> ([f64; 6], [[f64; 6]; 6]) {
-        let (pose, spatial) = self.fk_jacobian(q);
+        let (pose, spatial) = self.frames.fk_jacobian(q);
         let mut rows = spatial.spatial_to_geometric(&pose).rows;
         let shift = sub(self.target.translation, pose.translation).map(|x| x / self.size);
         let turn = Target::Pose.missing(&pose, self.target).angular;

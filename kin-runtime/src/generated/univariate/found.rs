@@ -7,7 +7,7 @@ use crate::scalar::tolerance::{SAME, SINGULAR};
 use crate::{Solution, Solutions, math};
 
 /// Solutions reach the target to this, in units of the arm's size.
-const REACHED: f64 = 1e-13;
+pub(super) const REACHED: f64 = 1e-13;
 
 /// Singular solutions that are nearer to each other, radians or half the arm's size, are one,
 /// or members of a family.

@@ -1,7 +1,7 @@
 //! An arm of six joints as constant motions with the joints between them.
 
 use crate::linear::vector::norm;
-use crate::{Pose, Twist, math};
+use crate::{Jacobian, Pose, Twist, math};
 
 /// A₀ J₁ A₁ … J₆ A₆, where a joint J turns about z or slides along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,6 +56,21 @@ impl Frames {
         (0..6).fold(self.fixed[0], |pose, i| {
             pose * self.motion(i, q[i]) * self.fixed[i + 1]
         })
+    }
+
+    /// The pose of the tip, and the spatial Jacobian.
+    pub fn fk_jacobian(&self, q: &[f64; 6]) -> (Pose, Jacobian<6>) {
+        let mut pose = self.fixed[0];
+        let columns = core::array::from_fn(|i| {
+            let axis = [0, 1, 2].map(|row| pose.rotation[row][2]);
+            let twist = match self.slides(i) {
+                true => Twist::prismatic(axis),
+                false => Twist::revolute(axis, pose.translation),
+            };
+            pose = pose * self.motion(i, q[i]) * self.fixed[i + 1];
+            twist
+        });
+        (pose, Jacobian::from_columns(columns))
     }
 
     /// J of a joint.

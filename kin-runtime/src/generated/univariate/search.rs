@@ -2,13 +2,14 @@
 
 use super::candidates::{Candidate, Candidates};
 use super::elimination::Elimination;
-use super::found::{Answer, Found, NEXT_TO, Waiting};
+use super::found::{Answer, Found, NEXT_TO, REACHED, Waiting};
 use super::polish::{Polished, polished, split};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
 use super::{LANES, Outcome, Univariate};
+use crate::generated::refinement::{Problem, levenberg};
 use crate::linear::vector::norm;
 use crate::scalar::tolerance::ROTATION;
 use crate::{Pose, Solution, Solutions, Target, math};
@@ -47,6 +48,15 @@ const SAME: f64 = 1e-9;
 
 /// Steps of Newton's method at most; twice as many where it converges slowly.
 const STEPS: usize = 6;
+
+/// The arm's size in the units of its frames.
+const SIZE: f64 = 2.0;
+
+/// A seed that misses the target by less, in units of the arm's size, is taken to be beside a solution.
+const BESIDE_SEED: f64 = 1e-2;
+
+/// Evaluations of Levenberg's method at most on its way to a singular solution.
+const STEPS_TO_SEED: usize = 40;
 
 /// Below this another solution may be so near that roots of the polynomial do not
 /// tell the two apart.
@@ -212,10 +222,28 @@ impl<'a> Search<'a> {
         all
     }
 
-    /// Takes a configuration in if it is singular, and nearly a solution.
+    /// Takes a configuration in if it is singular, and nearly a solution. Where the Jacobian loses two
+    /// ranks at once Newton's steps, which divide rounding by both pivots, lead away from one.
     pub fn keep(&mut self, seed: &[f64; 6]) {
-        let arrived = self.polished(&seed.map(|q| [q; LANES]), STEPS);
+        let start = seed.map(|q| [q; LANES]);
+        let mut arrived = self.polished(&start, STEPS);
+        if arrived.residual[0] > REACHED && self.polished(&start, 0).residual[0] < BESIDE_SEED {
+            let led = self.led(seed);
+            arrived = self.polished(&led.map(|q| [q; LANES]), 0);
+        }
         self.found.keep(&arrived, self.branch);
+    }
+
+    /// Where Levenberg's method leads.
+    #[cold]
+    fn led(&self, from: &[f64; 6]) -> [f64; 6] {
+        let problem = Problem {
+            fk_jacobian: |q: &[f64; 6]| self.arm.frames.fk_jacobian(q),
+            target: &self.target,
+            size: SIZE,
+            counts: Target::Pose,
+        };
+        levenberg(&problem, *from, STEPS_TO_SEED).q
     }
 
     /// Asks the eliminations in turn until one is sure of its answer.

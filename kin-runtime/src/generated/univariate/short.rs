@@ -59,7 +59,7 @@ fn arrived<const N: usize>(
     let problem = Problem {
         fk_jacobian: |q: &[f64; N]| {
             let all = core::array::from_fn(|i| q.get(i).copied().unwrap_or(0.0));
-            let (pose, jacobian) = task.fk_jacobian(&all);
+            let (pose, jacobian) = task.frames.fk_jacobian(&all);
             let rows = jacobian.rows.map(|row| core::array::from_fn(|i| row[i]));
             (pose, Jacobian { rows })
         },

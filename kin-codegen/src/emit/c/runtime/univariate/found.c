@@ -1,5 +1,7 @@
 /* The solutions of a target, as they are found, of six joints in the units of the arm's frames. */
 #define KIN_MOST_FOUND 16
+/* Solutions reach the target to this, in units of the arm's size. */
+#define KIN_REACHED 1e-13
 
 typedef struct kin_six {
     double q[6], residual;
@@ -95,7 +97,7 @@ static int kin_insert_arrived(kin_found *found, const kin_arrived *arrived, int 
     solution.residual = KIN_ARM_SIZE * sqrt(residual * residual + gap * gap);
     solution.branch = branch;
     solution.singular = arrived->independence[lane] < KIN_SINGULAR;
-    if (!(residual <= 1e-13)) {
+    if (!(residual <= KIN_REACHED)) {
         if (residual < found->nearest_by) {
             found->nearest = solution;
             found->nearest_by = residual;

@@ -141,8 +141,52 @@ static int kin_insert_new(kin_search *search, const kin_arrived *arrived, int la
     return reached;
 }
 
+/* The pose of the tip of a problem's six joints, and the spatial Jacobian. */
+static void kin_see_frames(const double *q, const void *problem, double pose[12], double jacobian[6][7])
+{
+    const kin_problem *of = (const kin_problem *)problem;
+    for (int i = 0; i < 12; ++i) {
+        pose[i] = of->fixed[0][i];
+    }
+    for (int joint = 0; joint < 6; ++joint) {
+        double motion[12] = {1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0}, moved[12];
+        for (int i = 0; i < 3; ++i) {
+            const int a = 4 * ((i + 1) % 3), b = 4 * ((i + 2) % 3);
+            const double along = pose[a + 3] * pose[b + 2] - pose[b + 3] * pose[a + 2];
+            jacobian[i][joint] = kin_slides[joint] ? pose[4 * i + 2] : along;
+            jacobian[3 + i][joint] = kin_slides[joint] ? 0.0 : pose[4 * i + 2];
+        }
+        if (kin_slides[joint]) {
+            motion[11] = q[joint];
+        } else {
+            kin_sin_cos(q[joint], &motion[4], &motion[0]);
+            motion[1] = -motion[4];
+            motion[5] = motion[0];
+        }
+        kin_compose(pose, motion, moved);
+        kin_compose(moved, of->fixed[joint + 1], pose);
+    }
+}
+
+/* Where Levenberg's method leads from the first lane. */
+static void kin_lead(const kin_problem *problem, kin_pack q[6])
+{
+    /* Half the arm's size is 1. */
+    const kin_metric metric = {2.0, 0.0, 1, 1, 0};
+    const kin_solved_for joints = {6, kin_see_frames, problem, 0};
+    kin_linearization here;
+    for (int i = 0; i < 6; ++i) {
+        here.q[i] = q[i][0];
+    }
+    kin_correct(&metric, &joints, problem->target, 40, &here);
+    for (int i = 0; i < 6; ++i) {
+        kin_fill(q[i], here.q[i]);
+    }
+}
+
 /* Takes the seed in if it is a singular solution, in front of the others and in place of one that is
- * next to it. */
+ * next to it. Where the Jacobian loses two ranks at once Newton's steps, which divide rounding by both
+ * pivots, lead away from one. */
 static void kin_keep(kin_search *search, const double *seed)
 {
     kin_found *found = &search->found;
@@ -150,12 +194,19 @@ static void kin_keep(kin_search *search, const double *seed)
     const int count = found->singular_count;
     int kept;
     kin_pack from[6];
-    kin_arrived arrived;
+    kin_arrived start, arrived;
     for (int i = 0; i < 6; ++i) {
         const double unit = kin_slides[i] ? 2.0 / KIN_ARM_SIZE : 1.0;
         kin_fill(from[i], i < KIN_SOLVED ? unit * seed[i % KIN_SOLVED] : 0.0);
     }
     kin_polish(&search->problem, from, KIN_NEWTON_STEPS, &arrived);
+    if (!(arrived.residual[0] <= KIN_REACHED)) {
+        kin_polish(&search->problem, from, 0, &start);
+        if (start.residual[0] < 1e-2) {
+            kin_lead(&search->problem, from);
+            kin_polish(&search->problem, from, 0, &arrived);
+        }
+    }
     if (!(arrived.independence[0] < KIN_SINGULAR)) {
         return;
     }

@@ -3,6 +3,8 @@
 /* Solutions at most, and configurations that wait at a time. */
 const $MOST_FOUND = 16;
 const $MOST_WAITING = 8;
+/* Solutions reach the target to this, in units of the arm's size. */
+const $REACHED = 1e-13;
 /* Below this independence of the Jacobian's columns a configuration is singular. */
 const $SINGULAR = 1e-5;
 /* Solutions that are nearer to each other, radians or half the arm's size, are one. */
@@ -65,7 +67,7 @@ const $insert_arrived = (search, arrived, branch) => {
         singular: independence < $SINGULAR,
         independence,
     };
-    if (!(residual <= 1e-13)) {
+    if (!(residual <= $REACHED)) {
         search.nearest = residual < search.nearest_by ? solution : search.nearest;
         search.nearest_by = Math.min(residual, search.nearest_by);
         return false;
@@ -439,11 +441,26 @@ const $ask_in_turn = (search) =>
 const $in_units = ({ size, slides }, q) =>
     slides.map((slide, i) => (i < q.length ? q[i] : 0.0) * (slide ? 2.0 / size : 1.0));
 
+/* Where Levenberg's method leads. */
+const $lead = (of, target, from) => {
+    const linearize = (q) => {
+        const { columns, ...system } = $system(of, target, q);
+        const rows = system.error.map((_, i) => columns.map((column) => column[i]));
+        return { q, rows, ...system };
+    };
+    return $correct(linearize, 1.0, from, 40).q;
+};
+
 /* Takes the seed in if it is a singular solution, in front of the others and in place of one that is
- * next to it. */
+ * next to it. Where the Jacobian loses two ranks at once Newton's steps, which divide rounding by both
+ * pivots, lead away from one. */
 const $keep = (form, search, seed) => {
     const from = $in_units(form.search, seed);
-    const arrived = $polish(form.search, search.target, from, $NEWTON_STEPS);
+    const polish = (from, steps) => $polish(form.search, search.target, from, steps);
+    let arrived = polish(from, $NEWTON_STEPS);
+    if (arrived.residual > $REACHED && polish(from, 0).residual < 1e-2) {
+        arrived = polish($lead(form.search, search.target, from), 0);
+    }
     if (!(arrived.independence < $SINGULAR)) {
         return;
     }
