@@ -52,8 +52,8 @@ const STEPS: usize = 6;
 /// The arm's size in the units of its frames.
 const SIZE: f64 = 2.0;
 
-/// A seed that misses the target by less, in units of the arm's size, is taken to be beside a solution.
-const BESIDE_SEED: f64 = 1e-2;
+/// A seed that misses the target by less, in units of half the arm's size, is taken to be beside a solution.
+const BESIDE_SEED: f64 = 2e-2;
 
 /// Evaluations of Levenberg's method at most on its way to a singular solution.
 const STEPS_TO_SEED: usize = 40;
@@ -225,9 +225,10 @@ impl<'a> Search<'a> {
     /// Takes a configuration in if it is singular, and nearly a solution. Where the Jacobian loses two
     /// ranks at once Newton's steps, which divide rounding by both pivots, lead away from one.
     pub fn keep(&mut self, seed: &[f64; 6]) {
-        let start = seed.map(|q| [q; LANES]);
-        let mut arrived = self.polished(&start, STEPS);
-        if arrived.residual[0] > REACHED && self.polished(&start, 0).residual[0] < BESIDE_SEED {
+        let mut arrived = self.polished(&seed.map(|q| [q; LANES]), STEPS);
+        let start = self.arm.frames.forward(seed);
+        let missed = Target::Pose.distance(&start, &self.target, SIZE);
+        if arrived.residual[0] > REACHED && missed < BESIDE_SEED {
             let led = self.led(seed);
             arrived = self.polished(&led.map(|q| [q; LANES]), 0);
         }
