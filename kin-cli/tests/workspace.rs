@@ -203,7 +203,7 @@ fn vectors_say_what_they_show() {
         "x in m",
         "z in m",
         "100 %",
-        "|det J| of the best branch, mean",
+        "absolute value of det J of the best branch, mean",
     ] {
         assert!(svg.contains(text), "{text}");
     }

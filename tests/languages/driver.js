@@ -165,10 +165,12 @@ export function with_lengths(robot, input) {
 // The same of a mechanism.
 export function mechanism_with_lengths(mechanism, input) {
     const q = reader(input).numbers(3);
+    const joints = mechanism.chains.flatMap(({ arm }) => arm.joints).length;
     return [
         said(() => mechanism.gap(q)),
         said(() => mechanism.platform([...q, 0])),
         said(() => mechanism.close(q, [0], 10)),
+        said(() => mechanism.close(new Array(joints).fill(0.0), [0, joints], 10)),
         said(() => mechanism.ik(q)),
     ].join("\n");
 }

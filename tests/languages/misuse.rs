@@ -108,6 +108,7 @@ fn arrays_that_are_too_long_or_too_short_are_told_in_javascript() {
         joints("gap", "q", 15, "3"),
         joints("platform", "q", 15, "4"),
         joints("close", "q", 15, "3"),
+        "TypeError: close: resting is joints from 0 to 14, and 15 is none".to_owned(),
         pose("ik", "3"),
     ];
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);

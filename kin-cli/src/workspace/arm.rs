@@ -75,7 +75,10 @@ impl Robot for Arm<'_> {
     }
 
     fn measure(&self) -> [&'static str; 2] {
-        ["manipulability", "|det J| of the best branch"]
+        [
+            "manipulability",
+            "absolute value of det J of the best branch",
+        ]
     }
 
     fn choice(&self) -> String {

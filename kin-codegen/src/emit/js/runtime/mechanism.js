@@ -83,6 +83,11 @@ const $mechanism = (mechanism) => {
     /* A closed configuration next to one, with some joints at rest, by so many evaluations of
      * Levenberg's method at most. */
     mechanism.close = (q, resting = [], evaluations = 40) => {
+        const unknown = resting.find((i) => !(i in q));
+        if (unknown !== undefined) {
+            throw new TypeError(
+                `close: resting is joints from 0 to ${q.length - 1}, and ${unknown} is none`);
+        }
         const free = Array.from(q.keys()).filter((i) => !resting.includes(i));
         const all = (some) => {
             const whole = Array.from(q);
