@@ -1505,12 +1505,12 @@ mod __Calibrated {
                     // 1. q1 by SP4
                     let t51 = e1[k] * t36_[t];
                     let s1 = math::select(
-                        t30_[t] < 1.3221941635117346e-24,
+                        t30_[t] < 1.3221941635117348e-22,
                         t4,
                         A::fma(t28_[t], t51, t40_[t]) * t42_[t],
                     );
                     let c1 = math::select(
-                        t30_[t] < 1.3221941635117346e-24,
+                        t30_[t] < 1.3221941635117348e-22,
                         t8,
                         A::fma(-t26_[t], t51, t39_[t]) * t42_[t],
                     );
@@ -1553,7 +1553,7 @@ mod __Calibrated {
                     let t82 = math::max(
                         math::max(
                             t35_[t],
-                            math::select(t30_[t] < 1.3221941635117346e-24, -e1[k], 0.0),
+                            math::select(t30_[t] < 1.3221941635117348e-22, -e1[k], 0.0),
                         ),
                         math::select(t67 < 0.0, 1.0, 0.0),
                     );
@@ -1569,12 +1569,12 @@ mod __Calibrated {
                     );
                     let t87 = 1.0 / t67;
                     let s6 = math::select(
-                        t67 < 1e-24,
+                        t67 < 1e-22,
                         t3,
                         A::fma(t66, t83, t65 * t85) * t87,
                     );
                     let c6 = math::select(
-                        t67 < 1e-24,
+                        t67 < 1e-22,
                         t7,
                         A::fma(-t65, t83, t66 * t85) * t87,
                     );
@@ -1633,8 +1633,8 @@ mod __Calibrated {
                         0.000009660482328690414
                             * A::fma(t115, t115, A::fma(t113, t113, t114 * t114)),
                     );
-                    let s5 = math::select(t107 < 1e-24, t2, (t101 - t105) * t109);
-                    let c5 = math::select(t107 < 1e-24, t6, t64 * t109);
+                    let s5 = math::select(t107 < 1e-22, t2, (t101 - t105) * t109);
+                    let c5 = math::select(t107 < 1e-22, t6, t64 * t109);
                     // 3. q2+q3+q4 by SP1, given q5 and q6
                     let t117 = A::fma(r31[t], s6, r32[t] * c6);
                     let t118 = A::fma(
@@ -1733,7 +1733,7 @@ mod __Calibrated {
                         math::select(t164 + 2.85219072862594e-10 < t127 * t127, 0.0, 1.0),
                     );
                     let t166 = math::max(
-                        math::max(t82, math::select(t67 < 1e-24, -e2[k], 0.0)),
+                        math::max(t82, math::select(t67 < 1e-22, -e2[k], 0.0)),
                         math::select(t127 < 0.0, 1.0, 0.0),
                     );
                     let t167 = math::sqrt(math::max(t127, 2.7767333959389613e-15));
@@ -1934,12 +1934,12 @@ mod __Calibrated {
                 for t in 0..T {
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t180_[k][t] < 1.3221941635117346e-24,
+                        t180_[k][t] < 1.3221941635117348e-22,
                         t5,
                         A::fma(e3[k], t177_[k][t], -t176_[k][t]) * t184_[k][t],
                     );
                     let c2 = math::select(
-                        t180_[k][t] < 1.3221941635117346e-24,
+                        t180_[k][t] < 1.3221941635117348e-22,
                         t9,
                         A::fma(e3[k], t175_[k][t], t174_[k][t]) * t184_[k][t],
                     );

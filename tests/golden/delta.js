@@ -926,6 +926,11 @@ const $mechanism = (mechanism) => {
     /* A closed configuration next to one, with some joints at rest, by so many evaluations of
      * Levenberg's method at most. */
     mechanism.close = (q, resting = [], evaluations = 40) => {
+        const unknown = resting.find((i) => !(i in q));
+        if (unknown !== undefined) {
+            throw new TypeError(
+                `close: resting is joints from 0 to ${q.length - 1}, and ${unknown} is none`);
+        }
         const free = Array.from(q.keys()).filter((i) => !resting.includes(i));
         const all = (some) => {
             const whole = Array.from(q);
@@ -1499,7 +1504,7 @@ return $mechanism({
                     const t20 = 1.0 / t12;
                     /* 2. q3 by SP4 (what all branches share) */
                     const t21 = 0.05382400000000003 - t8;
-                    const t22 = $max($max($select(t13, t14, 1.0, 0.0), $select(t12, 1.4003408895999933e-26, 1.0, 0.0)), $select(t21, 5.382400000000003e-15, 1.0, 0.0));
+                    const t22 = $max($max($select(t13, t14, 1.0, 0.0), $select(t12, 1.4003408895999935e-24, 1.0, 0.0)), $select(t21, 5.382400000000003e-15, 1.0, 0.0));
                     const t23 = Math.sqrt($select(t21, 5.382400000000003e-15, 0.0, t21));
                     const t24 = $max(-0.23200000000000007, -$max(-0.23200000000000007, -py));
                     const s3 = 4.3103448275862055 * t24;
@@ -1522,10 +1527,10 @@ return $mechanism({
                         /* 1. q1 by SP3 */
                         const t28 = -e1;
                         const t29 = e1 * t15;
-                        const s1 = $select(t12, 1.4003408895999933e-26, t2, (t10 * t29 - t19) * t20);
-                        const c1 = $select(t12, 1.4003408895999933e-26, t4, (t18 + t11 * t29) * t20);
+                        const s1 = $select(t12, 1.4003408895999935e-24, t2, (t10 * t29 - t19) * t20);
+                        const c1 = $select(t12, 1.4003408895999935e-24, t4, (t18 + t11 * t29) * t20);
                         /* 2. q3 by SP4 */
-                        const invalid = $max($max($select(t13, t14, t28, 0.0), $select(t12, 1.4003408895999933e-26, t28, 0.0)), $select(t21, 5.382400000000003e-15, -e2, 0.0));
+                        const invalid = $max($max($select(t13, t14, t28, 0.0), $select(t12, 1.4003408895999935e-24, t28, 0.0)), $select(t21, 5.382400000000003e-15, -e2, 0.0));
                         const t30 = e2 * t23;
                         const t31 = 4.3103448275862055 * t30;
                         const c3 = -t31;
@@ -1533,10 +1538,10 @@ return $mechanism({
                         const t32 = pz * c1 + t6 * s1;
                         const t33 = t6 * c1 - pz * s1 - 0.112;
                         const t34 = Math.sqrt((t32 * t32 + t33 * t33) * (t30 * t30));
-                        const singular = $max(t22, $select(t34, 1.1833599999999972e-25, 1.0, 0.0));
+                        const singular = $max(t22, $select(t34, 1.1833599999999972e-23, 1.0, 0.0));
                         const t35 = 1.0 / t34;
-                        const s2 = $select(t34, 1.1833599999999972e-25, t3, -(t30 * t33 * t35));
-                        const c2 = $select(t34, 1.1833599999999972e-25, t5, -(t30 * t32 * t35));
+                        const s2 = $select(t34, 1.1833599999999972e-23, t3, -(t30 * t33 * t35));
+                        const c2 = $select(t34, 1.1833599999999972e-23, t5, -(t30 * t32 * t35));
                         /* Residual: forward kinematics against the target */
                         const t36 = 0.112 * c1 + 0.132011139050208 - 0.232 * (t31 * (s1 * c2 + c1 * s2));
                         const t37 = t36 - px;
@@ -2620,7 +2625,7 @@ return $mechanism({
                     /* 2. q3 by SP4 (what all branches share) */
                     const t23 = 0.9999999999999999 * t9;
                     const t24 = 0.05382400000000002 - t23 * t23;
-                    const t25 = $max($max($select(t15, t16, 1.0, 0.0), $select(t14, 1.4003408895999933e-26, 1.0, 0.0)), $select(t24, 5.382400000000002e-15, 1.0, 0.0));
+                    const t25 = $max($max($select(t15, t16, 1.0, 0.0), $select(t14, 1.4003408895999935e-24, 1.0, 0.0)), $select(t24, 5.382400000000002e-15, 1.0, 0.0));
                     const t26 = Math.sqrt($select(t24, 5.382400000000002e-15, 0.0, t24));
                     const t27 = $max(-0.23200000000000004, -$max(t23, -0.23200000000000004));
                     const s3 = 4.310344827586206 * t27;
@@ -2643,10 +2648,10 @@ return $mechanism({
                         /* 1. q1 by SP3 */
                         const t31 = -e1;
                         const t32 = e1 * t17;
-                        const s1 = $select(t14, 1.4003408895999933e-26, t2, -((t21 + t12 * t32) * t22));
-                        const c1 = $select(t14, 1.4003408895999933e-26, t4, (t13 * t32 - t20) * t22);
+                        const s1 = $select(t14, 1.4003408895999935e-24, t2, -((t21 + t12 * t32) * t22));
+                        const c1 = $select(t14, 1.4003408895999935e-24, t4, (t13 * t32 - t20) * t22);
                         /* 2. q3 by SP4 */
-                        const invalid = $max($max($select(t15, t16, t31, 0.0), $select(t14, 1.4003408895999933e-26, t31, 0.0)), $select(t24, 5.382400000000002e-15, -e2, 0.0));
+                        const invalid = $max($max($select(t15, t16, t31, 0.0), $select(t14, 1.4003408895999935e-24, t31, 0.0)), $select(t24, 5.382400000000002e-15, -e2, 0.0));
                         const t33 = e2 * t26;
                         const c3 = -(4.310344827586206 * t33);
                         /* 3. q2 by SP1, given q1 and q3 */
@@ -2654,10 +2659,10 @@ return $mechanism({
                         const t35 = t8 * c1 + pz * s1 + 0.112;
                         const t36 = 1.0000000000000002 * t33;
                         const t37 = Math.sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
-                        const singular = $max(t25, $select(t37, 1.1833599999999972e-25, 1.0, 0.0));
+                        const singular = $max(t25, $select(t37, 1.1833599999999972e-23, 1.0, 0.0));
                         const t38 = 1.0 / t37;
-                        const s2 = $select(t37, 1.1833599999999972e-25, t3, -(t34 * t36 * t38));
-                        const c2 = $select(t37, 1.1833599999999972e-25, t5, -(t35 * t36 * t38));
+                        const s2 = $select(t37, 1.1833599999999972e-23, t3, -(t34 * t36 * t38));
+                        const c2 = $select(t37, 1.1833599999999972e-23, t5, -(t35 * t36 * t38));
                         /* Residual: forward kinematics against the target */
                         const t39 = 0.9999999999999999 * t33;
                         const t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;
@@ -3820,7 +3825,7 @@ return $mechanism({
                     /* 2. q3 by SP4 (what all branches share) */
                     const t23 = 0.9999999999999999 * t9;
                     const t24 = 0.05382400000000002 - t23 * t23;
-                    const t25 = $max($max($select(t15, t16, 1.0, 0.0), $select(t14, 1.4003408895999933e-26, 1.0, 0.0)), $select(t24, 5.382400000000002e-15, 1.0, 0.0));
+                    const t25 = $max($max($select(t15, t16, 1.0, 0.0), $select(t14, 1.4003408895999935e-24, 1.0, 0.0)), $select(t24, 5.382400000000002e-15, 1.0, 0.0));
                     const t26 = Math.sqrt($select(t24, 5.382400000000002e-15, 0.0, t24));
                     const t27 = $max(-0.23200000000000004, -$max(-0.23200000000000004, -t23));
                     const s3 = 4.310344827586206 * t27;
@@ -3843,10 +3848,10 @@ return $mechanism({
                         /* 1. q1 by SP3 */
                         const t31 = -e1;
                         const t32 = e1 * t17;
-                        const s1 = $select(t14, 1.4003408895999933e-26, t2, -((t21 + t12 * t32) * t22));
-                        const c1 = $select(t14, 1.4003408895999933e-26, t4, (t13 * t32 - t20) * t22);
+                        const s1 = $select(t14, 1.4003408895999935e-24, t2, -((t21 + t12 * t32) * t22));
+                        const c1 = $select(t14, 1.4003408895999935e-24, t4, (t13 * t32 - t20) * t22);
                         /* 2. q3 by SP4 */
-                        const invalid = $max($max($select(t15, t16, t31, 0.0), $select(t14, 1.4003408895999933e-26, t31, 0.0)), $select(t24, 5.382400000000002e-15, -e2, 0.0));
+                        const invalid = $max($max($select(t15, t16, t31, 0.0), $select(t14, 1.4003408895999935e-24, t31, 0.0)), $select(t24, 5.382400000000002e-15, -e2, 0.0));
                         const t33 = e2 * t26;
                         const c3 = -(4.310344827586206 * t33);
                         /* 3. q2 by SP1, given q1 and q3 */
@@ -3854,10 +3859,10 @@ return $mechanism({
                         const t35 = t8 * c1 + pz * s1 + 0.112;
                         const t36 = 1.0000000000000002 * t33;
                         const t37 = Math.sqrt((t35 * t35 + t34 * t34) * (t36 * t36));
-                        const singular = $max(t25, $select(t37, 1.1833599999999972e-25, 1.0, 0.0));
+                        const singular = $max(t25, $select(t37, 1.1833599999999972e-23, 1.0, 0.0));
                         const t38 = 1.0 / t37;
-                        const s2 = $select(t37, 1.1833599999999972e-25, t3, -(t34 * t36 * t38));
-                        const c2 = $select(t37, 1.1833599999999972e-25, t5, -(t35 * t36 * t38));
+                        const s2 = $select(t37, 1.1833599999999972e-23, t3, -(t34 * t36 * t38));
+                        const c2 = $select(t37, 1.1833599999999972e-23, t5, -(t35 * t36 * t38));
                         /* Residual: forward kinematics against the target */
                         const t39 = 0.9999999999999999 * t33;
                         const t40 = 0.112 * c1 + (c1 * c2 - s1 * s2) * t39;

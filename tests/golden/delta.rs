@@ -389,7 +389,7 @@ mod __Delta {
                     let t22 = math::max(
                         math::max(
                             math::select(t13 < t14, 1.0, 0.0),
-                            math::select(t12 < 1.4003408895999933e-26, 1.0, 0.0),
+                            math::select(t12 < 1.4003408895999935e-24, 1.0, 0.0),
                         ),
                         math::select(t21 < 5.382400000000003e-15, 1.0, 0.0),
                     );
@@ -433,12 +433,12 @@ mod __Delta {
                         let t28 = -e1[k];
                         let t29 = e1[k] * t15_[t];
                         let s1 = math::select(
-                            t12_[t] < 1.4003408895999933e-26,
+                            t12_[t] < 1.4003408895999935e-24,
                             t2,
                             A::fma(t10_[t], t29, -t19_[t]) * t20_[t],
                         );
                         let c1 = math::select(
-                            t12_[t] < 1.4003408895999933e-26,
+                            t12_[t] < 1.4003408895999935e-24,
                             t4,
                             A::fma(t11_[t], t29, t18_[t]) * t20_[t],
                         );
@@ -446,7 +446,7 @@ mod __Delta {
                         let invalid = math::max(
                             math::max(
                                 math::select(t13_[t] < t14_[t], t28, 0.0),
-                                math::select(t12_[t] < 1.4003408895999933e-26, t28, 0.0),
+                                math::select(t12_[t] < 1.4003408895999935e-24, t28, 0.0),
                             ),
                             math::select(t21_[t] < 5.382400000000003e-15, -e2[k], 0.0),
                         );
@@ -459,16 +459,16 @@ mod __Delta {
                         let t34 = math::sqrt(A::fma(t32, t32, t33 * t33) * (t30 * t30));
                         let singular = math::max(
                             t22_[t],
-                            math::select(t34 < 1.1833599999999972e-25, 1.0, 0.0),
+                            math::select(t34 < 1.1833599999999972e-23, 1.0, 0.0),
                         );
                         let t35 = 1.0 / t34;
                         let s2 = math::select(
-                            t34 < 1.1833599999999972e-25,
+                            t34 < 1.1833599999999972e-23,
                             t3,
                             -(t30 * t33 * t35),
                         );
                         let c2 = math::select(
-                            t34 < 1.1833599999999972e-25,
+                            t34 < 1.1833599999999972e-23,
                             t5,
                             -(t30 * t32 * t35),
                         );
@@ -1148,7 +1148,7 @@ mod __Delta {
                     let t25 = math::max(
                         math::max(
                             math::select(t15 < t16, 1.0, 0.0),
-                            math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                            math::select(t14 < 1.4003408895999935e-24, 1.0, 0.0),
                         ),
                         math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
                     );
@@ -1194,12 +1194,12 @@ mod __Delta {
                         let t31 = -e1[k];
                         let t32 = e1[k] * t17_[t];
                         let s1 = math::select(
-                            t14_[t] < 1.4003408895999933e-26,
+                            t14_[t] < 1.4003408895999935e-24,
                             t2,
                             -(A::fma(t12_[t], t32, t21_[t]) * t22_[t]),
                         );
                         let c1 = math::select(
-                            t14_[t] < 1.4003408895999933e-26,
+                            t14_[t] < 1.4003408895999935e-24,
                             t4,
                             A::fma(t13_[t], t32, -t20_[t]) * t22_[t],
                         );
@@ -1207,7 +1207,7 @@ mod __Delta {
                         let invalid = math::max(
                             math::max(
                                 math::select(t15_[t] < t16_[t], t31, 0.0),
-                                math::select(t14_[t] < 1.4003408895999933e-26, t31, 0.0),
+                                math::select(t14_[t] < 1.4003408895999935e-24, t31, 0.0),
                             ),
                             math::select(t24_[t] < 5.382400000000002e-15, -e2[k], 0.0),
                         );
@@ -1220,16 +1220,16 @@ mod __Delta {
                         let t37 = math::sqrt(A::fma(t35, t35, t34 * t34) * (t36 * t36));
                         let singular = math::max(
                             t25_[t],
-                            math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
+                            math::select(t37 < 1.1833599999999972e-23, 1.0, 0.0),
                         );
                         let t38 = 1.0 / t37;
                         let s2 = math::select(
-                            t37 < 1.1833599999999972e-25,
+                            t37 < 1.1833599999999972e-23,
                             t3,
                             -(t34 * t36 * t38),
                         );
                         let c2 = math::select(
-                            t37 < 1.1833599999999972e-25,
+                            t37 < 1.1833599999999972e-23,
                             t5,
                             -(t35 * t36 * t38),
                         );
@@ -1986,7 +1986,7 @@ mod __Delta {
                     let t25 = math::max(
                         math::max(
                             math::select(t15 < t16, 1.0, 0.0),
-                            math::select(t14 < 1.4003408895999933e-26, 1.0, 0.0),
+                            math::select(t14 < 1.4003408895999935e-24, 1.0, 0.0),
                         ),
                         math::select(t24 < 5.382400000000002e-15, 1.0, 0.0),
                     );
@@ -2032,12 +2032,12 @@ mod __Delta {
                         let t31 = -e1[k];
                         let t32 = e1[k] * t17_[t];
                         let s1 = math::select(
-                            t14_[t] < 1.4003408895999933e-26,
+                            t14_[t] < 1.4003408895999935e-24,
                             t2,
                             -(A::fma(t12_[t], t32, t21_[t]) * t22_[t]),
                         );
                         let c1 = math::select(
-                            t14_[t] < 1.4003408895999933e-26,
+                            t14_[t] < 1.4003408895999935e-24,
                             t4,
                             A::fma(t13_[t], t32, -t20_[t]) * t22_[t],
                         );
@@ -2045,7 +2045,7 @@ mod __Delta {
                         let invalid = math::max(
                             math::max(
                                 math::select(t15_[t] < t16_[t], t31, 0.0),
-                                math::select(t14_[t] < 1.4003408895999933e-26, t31, 0.0),
+                                math::select(t14_[t] < 1.4003408895999935e-24, t31, 0.0),
                             ),
                             math::select(t24_[t] < 5.382400000000002e-15, -e2[k], 0.0),
                         );
@@ -2058,16 +2058,16 @@ mod __Delta {
                         let t37 = math::sqrt(A::fma(t35, t35, t34 * t34) * (t36 * t36));
                         let singular = math::max(
                             t25_[t],
-                            math::select(t37 < 1.1833599999999972e-25, 1.0, 0.0),
+                            math::select(t37 < 1.1833599999999972e-23, 1.0, 0.0),
                         );
                         let t38 = 1.0 / t37;
                         let s2 = math::select(
-                            t37 < 1.1833599999999972e-25,
+                            t37 < 1.1833599999999972e-23,
                             t3,
                             -(t34 * t36 * t38),
                         );
                         let c2 = math::select(
-                            t37 < 1.1833599999999972e-25,
+                            t37 < 1.1833599999999972e-23,
                             t5,
                             -(t35 * t36 * t38),
                         );

@@ -881,7 +881,7 @@ mod __Kr6R900 {
                 let t19 = t12 * t17;
                 let t20 = math::max(
                     math::select(t13 < t14, 1.0, 0.0),
-                    math::select(t13 < 1.0302250000000001e-24, 1.0, 0.0),
+                    math::select(t13 < 1.0302250000000003e-22, 1.0, 0.0),
                 );
                 let t21 = 1.0 / t13;
                 // 2. q3 by SP3, given q1 (what all branches share)
@@ -941,12 +941,12 @@ mod __Kr6R900 {
                     let t31 = -e1[k];
                     let t32 = e1[k] * t15_[t];
                     let s1 = math::select(
-                        t13_[t] < 1.0302250000000001e-24,
+                        t13_[t] < 1.0302250000000003e-22,
                         t7,
                         A::fma(t10_[t], t32, t19_[t]) * t21_[t],
                     );
                     let c1 = math::select(
-                        t13_[t] < 1.0302250000000001e-24,
+                        t13_[t] < 1.0302250000000003e-22,
                         t4,
                         A::fma(-t12_[t], t32, t18_[t]) * t21_[t],
                     );
@@ -960,7 +960,7 @@ mod __Kr6R900 {
                     let t39 = math::max(
                         math::max(
                             math::select(t13_[t] < t14_[t], t31, 0.0),
-                            math::select(t13_[t] < 1.0302250000000001e-24, t31, 0.0),
+                            math::select(t13_[t] < 1.0302250000000003e-22, t31, 0.0),
                         ),
                         math::select(t38 < 3.6772815625e-15, -e2[k], 0.0),
                     );
@@ -991,16 +991,16 @@ mod __Kr6R900 {
                             t20_[t],
                             math::select(t38 < 3.6772815625e-15, 1.0, 0.0),
                         ),
-                        math::select(t48 < 1.0302250000000001e-24, 1.0, 0.0),
+                        math::select(t48 < 1.0302250000000003e-22, 1.0, 0.0),
                     );
                     let t50 = 1.0 / t48;
                     let s2 = math::select(
-                        t48 < 1.0302250000000001e-24,
+                        t48 < 1.0302250000000003e-22,
                         t2,
                         A::fma(t45, t46, -(t11_[t] * t47)) * t50,
                     );
                     let c2 = math::select(
-                        t48 < 1.0302250000000001e-24,
+                        t48 < 1.0302250000000003e-22,
                         t5,
                         A::fma(t11_[t], t46, t45 * t47) * t50,
                     );
@@ -1017,11 +1017,11 @@ mod __Kr6R900 {
                     let t58 = A::fma(r33[t], t56, -(t51 * t57));
                     let t59 = A::fma(t58, t58, t52 * t52);
                     let singular = math::max(t49, math::select(t59 < 1e-13, 1.0, 0.0));
-                    let t60 = math::select(t59 < 1e-24, -1.0, 0.0);
-                    let t61 = math::sqrt(math::select(t59 < 1e-24, 0.0, t59));
+                    let t60 = math::select(t59 < 1e-22, -1.0, 0.0);
+                    let t61 = math::sqrt(math::select(t59 < 1e-22, 0.0, t59));
                     let t62 = 1.0 / t59;
-                    let t63 = math::select(t59 < 1e-24, t3, t52 * t61 * t62);
-                    let t64 = math::select(t59 < 1e-24, t6, -(t58 * t61 * t62));
+                    let t63 = math::select(t59 < 1e-22, t3, t52 * t61 * t62);
+                    let t64 = math::select(t59 < 1e-22, t6, -(t58 * t61 * t62));
                     // 5. q6 by SP1, given q1, q4 and q2+q3
                     let t65 = t56 * t63;
                     let t66 = t55 * t63;

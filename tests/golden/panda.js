@@ -1007,7 +1007,7 @@ return $arm({
             const t27 = t23 * t23 + t25 * t25;
             const t28 = 1e-13 * t27;
             const t29 = -Math.sqrt(t27);
-            const t30 = $select(t27, 9.763255449212622e-25, 1.0, 0.0);
+            const t30 = $select(t27, 9.763255449212623e-23, 1.0, 0.0);
             const t31 = 1.0 / t27;
             /* Residual: forward kinematics against the target (what all branches share) */
             const t32 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
@@ -1050,15 +1050,15 @@ return $arm({
                 const t47 = -e2;
                 const t48 = e2 * Math.sqrt($select(t46, t28, 0.0, t46));
                 const t49 = $max(t29, -$max(t29, -t44));
-                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t28, t47, 0.0)), $select(t27, 9.763255449212622e-25, t47, 0.0));
-                const s6 = $select(t27, 9.763255449212622e-25, t2, -((t25 * t49 + t23 * t48) * t31));
-                const c6 = $select(t27, 9.763255449212622e-25, t5, (t25 * t48 - t23 * t49) * t31);
+                const t50 = $max($max($select(t14, 1.645395867506249e-15, -e1, 0.0), $select(t46, t28, t47, 0.0)), $select(t27, 9.763255449212623e-23, t47, 0.0));
+                const s6 = $select(t27, 9.763255449212623e-23, t2, -((t25 * t49 + t23 * t48) * t31));
+                const c6 = $select(t27, 9.763255449212623e-23, t5, (t25 * t48 - t23 * t49) * t31);
                 const t51 = t25 * c6 - t23 * s6;
                 const t52 = Math.sqrt(t45 * t45 * (t26 + t51 * t51));
-                const t53 = $max($max($max(t15, $select(t46, t28, 1.0, 0.0)), t30), $select(t52, 9.763255449212622e-25, 1.0, 0.0));
+                const t53 = $max($max($max(t15, $select(t46, t28, 1.0, 0.0)), t30), $select(t52, 9.763255449212623e-23, 1.0, 0.0));
                 const t54 = 1.0 / t52;
-                const s5 = $select(t52, 9.763255449212622e-25, t1, t45 * t24 * t54);
-                const c5 = $select(t52, 9.763255449212622e-25, t4, t45 * t51 * t54);
+                const s5 = $select(t52, 9.763255449212623e-23, t1, t45 * t24 * t54);
+                const c5 = $select(t52, 9.763255449212623e-23, t4, t45 * t51 * t54);
                 /* 3. q1 and q2 by SP2, given q4, q5, q6 and q7 (what several branches share) */
                 const t55 = s4 * c5;
                 const t56 = s4 * s5;
@@ -1072,11 +1072,11 @@ return $arm({
                 const c2 = r33 * t58 + (r31 * t61 + r32 * t60);
                 const t64 = t62 * t62 + t63 * t63;
                 const singular = $max(t53, $select(t64, 1e-13, 1.0, 0.0));
-                const t65 = $select(t64, 1e-24, -1.0, 0.0);
-                const t66 = Math.sqrt($select(t64, 1e-24, 0.0, t64));
+                const t65 = $select(t64, 1e-22, -1.0, 0.0);
+                const t66 = Math.sqrt($select(t64, 1e-22, 0.0, t64));
                 const t67 = 1.0 / t64;
-                const t68 = $select(t64, 1e-24, t3, t63 * t66 * t67);
-                const t69 = $select(t64, 1e-24, t6, t62 * t66 * t67);
+                const t68 = $select(t64, 1e-22, t3, t63 * t66 * t67);
+                const t69 = $select(t64, 1e-22, t6, t62 * t66 * t67);
                 /* 4. q3 by SP1, given q1, q4, q5, q6 and q7 */
                 const t70 = r11 * t68 - r21 * t69;
                 const t71 = r12 * t68 - r22 * t69;

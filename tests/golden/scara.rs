@@ -618,16 +618,16 @@ mod __Scara {
                     let t44 = math::sqrt(A::fma(t43, t43, t20_[t]) * t21_[t]);
                     let singular = math::max(
                         t13_[t],
-                        math::select(t44 < 1.4399999999999998e-24, 1.0, 0.0),
+                        math::select(t44 < 1.44e-22, 1.0, 0.0),
                     );
                     let t45 = 1.0 / t44;
                     let s3 = math::select(
-                        t44 < 1.4399999999999998e-24,
+                        t44 < 1.44e-22,
                         t1,
                         A::fma(t4_[t], t43, -t19_[t]) * t45,
                     );
                     let c3 = math::select(
-                        t44 < 1.4399999999999998e-24,
+                        t44 < 1.44e-22,
                         t2,
                         -(A::fma(t3_[t], t43, t18_[t]) * t45),
                     );

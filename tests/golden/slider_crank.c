@@ -881,10 +881,10 @@ SLIDER_CRANK_INLINE void slider_crank_chain0_lanes_of(
         const double s2 = -t33;
         /* 3. q1 by SP1, given q2 */
         const double t34 = sqrt(t4 * (t16 + t32 * t32));
-        const double singular = slider_crank_max(t9, slider_crank_select(t34, 1.5999999999999975e-23, 1.0, 0.0));
+        const double singular = slider_crank_max(t9, slider_crank_select(t34, 1.5999999999999976e-21, 1.0, 0.0));
         const double t35 = 1.0 / t34;
-        const double s1 = slider_crank_select(t34, 1.5999999999999975e-23, t1, (t15 + px * t32) * t35);
-        const double c1 = slider_crank_select(t34, 1.5999999999999975e-23, t2, (t14 - py * t32) * t35);
+        const double s1 = slider_crank_select(t34, 1.5999999999999976e-21, t1, (t15 + px * t32) * t35);
+        const double c1 = slider_crank_select(t34, 1.5999999999999976e-21, t2, (t14 - py * t32) * t35);
         /* 4. q3 as the rest of the sum, given q1+q2+q3, q1 and q2 */
         const double t36 = r12 * c1 + r11 * s1;
         const double t37 = r11 * c1 - r12 * s1;
@@ -1709,7 +1709,7 @@ SLIDER_CRANK_INLINE void slider_crank_passive_lanes_of(
     const double t14 = slider_crank_max(t13, -slider_crank_max(-t6, t13));
     const double t15 = t7 * t14;
     const double t16 = t8 * t14;
-    const double singular = slider_crank_max(slider_crank_select(t10, t11, 1.0, 0.0), slider_crank_select(t9, 4.897663859411967e-23, 1.0, 0.0));
+    const double singular = slider_crank_max(slider_crank_select(t10, t11, 1.0, 0.0), slider_crank_select(t9, 4.897663859411968e-21, 1.0, 0.0));
     const double t17 = 1.0 / t9;
     /* 4. q3 by sliding a point onto another, given q2 (what all branches share) */
     const double t18 = r11 * (1.0 - px) - r21 * py - r31 * pz - 3.99332590941915;
@@ -1743,9 +1743,9 @@ SLIDER_CRANK_INLINE void slider_crank_passive_lanes_of(
         /* 2. q1 by SP4 */
         const double t36 = -e1;
         const double t37 = e1 * t12;
-        const double invalid = slider_crank_max(slider_crank_select(t10, t11, t36, 0.0), slider_crank_select(t9, 4.897663859411967e-23, t36, 0.0));
-        const double s1 = slider_crank_select(t9, 4.897663859411967e-23, t2, (t16 + t7 * t37) * t17);
-        const double c1 = slider_crank_select(t9, 4.897663859411967e-23, t3, (t15 - t8 * t37) * t17);
+        const double invalid = slider_crank_max(slider_crank_select(t10, t11, t36, 0.0), slider_crank_select(t9, 4.897663859411968e-21, t36, 0.0));
+        const double s1 = slider_crank_select(t9, 4.897663859411968e-21, t2, (t16 + t7 * t37) * t17);
+        const double c1 = slider_crank_select(t9, 4.897663859411968e-21, t3, (t15 - t8 * t37) * t17);
         /* 3. q2 as the rest of the sum, given q1+q2 and q1 */
         const double t38 = r11 * c1;
         const double t39 = r12 * s1;

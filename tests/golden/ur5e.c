@@ -1157,7 +1157,7 @@ UR5E_INLINE void ur5e_lanes_of(
     const double t18 = ur5e_max(t17, -ur5e_max(-0.1333, t17));
     const double t19 = t12 * t18;
     const double t20 = t11 * t18;
-    const double t21 = ur5e_max(ur5e_select(t14, t15, 1.0, 0.0), ur5e_select(t13, 1.7221312899999994e-24, 1.0, 0.0));
+    const double t21 = ur5e_max(ur5e_select(t14, t15, 1.0, 0.0), ur5e_select(t13, 1.7221312899999994e-22, 1.0, 0.0));
     const double t22 = 1.0 / t13;
     /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
     const double t23 = r33 * r33;
@@ -1205,8 +1205,8 @@ UR5E_INLINE void ur5e_lanes_of(
         /* 1. q1 by SP4 */
         const double t32 = -e1;
         const double t33 = e1 * t16;
-        const double s1 = ur5e_select(t13, 1.7221312899999994e-24, t2, (t20 + t12 * t33) * t22);
-        const double c1 = ur5e_select(t13, 1.7221312899999994e-24, t5, (t19 - t11 * t33) * t22);
+        const double s1 = ur5e_select(t13, 1.7221312899999994e-22, t2, (t20 + t12 * t33) * t22);
+        const double c1 = ur5e_select(t13, 1.7221312899999994e-22, t5, (t19 - t11 * t33) * t22);
         /* 2. q2+q3+q4 and q5 by SP2, given q1 */
         const double t34 = r13 * s1;
         const double t35 = r23 * c1;
@@ -1214,7 +1214,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t37 = t35 - t34;
         const double c5 = t34 - t35;
         const double t38 = t23 + t36 * t36;
-        const double t39 = ur5e_max(ur5e_max(ur5e_select(t14, t15, t32, 0.0), ur5e_select(t13, 1.7221312899999994e-24, t32, 0.0)), ur5e_select(t38, free_below, -e2, 0.0));
+        const double t39 = ur5e_max(ur5e_max(ur5e_select(t14, t15, t32, 0.0), ur5e_select(t13, 1.7221312899999994e-22, t32, 0.0)), ur5e_select(t38, free_below, -e2, 0.0));
         const double s5 = e2 * sqrt(ur5e_select(t38, free_below, 0.0, t38));
         const double t40 = 1.0 / t38;
         const double s234 = ur5e_select(t38, free_below, t4, -(r33 * s5 * t40));
@@ -1254,7 +1254,7 @@ UR5E_INLINE void ur5e_lanes_of(
         const double t65 = t60 * t61;
         const double t66 = t49 * t62;
         const double t67 = sqrt((t50 + t60 * t60) * (t61 * t61 + t62 * t62));
-        const double singular = ur5e_max(t54, ur5e_select(t67, 1.7221312899999994e-24, 1.0, 0.0));
+        const double singular = ur5e_max(t54, ur5e_select(t67, 1.7221312899999994e-22, 1.0, 0.0));
         const double t68 = 1.0 / t67;
         /* Residual: forward kinematics against the target (what several branches share) */
         const double t69 = c5 * s6;
@@ -1357,8 +1357,8 @@ UR5E_INLINE void ur5e_lanes_of(
         /* 4. q3 by SP3, given q6 */
         const double invalid = ur5e_max(t39_[k], e3 * t55_[k]);
         /* 5. q2 by SP1, given q1, q3 and q6 */
-        const double s2 = ur5e_select(t67_[k], 1.7221312899999994e-24, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
-        const double c2 = ur5e_select(t67_[k], 1.7221312899999994e-24, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
+        const double s2 = ur5e_select(t67_[k], 1.7221312899999994e-22, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
+        const double c2 = ur5e_select(t67_[k], 1.7221312899999994e-22, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
         /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
         const double t97 = s234_[k] * c2 - c234_[k] * s2;
         const double t98 = c234_[k] * c2 + s234_[k] * s2;

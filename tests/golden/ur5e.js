@@ -985,7 +985,7 @@ return $arm({
             const t18 = $max(t17, -$max(-0.1333, t17));
             const t19 = t12 * t18;
             const t20 = t11 * t18;
-            const t21 = $max($select(t14, t15, 1.0, 0.0), $select(t13, 1.7221312899999994e-24, 1.0, 0.0));
+            const t21 = $max($select(t14, t15, 1.0, 0.0), $select(t13, 1.7221312899999994e-22, 1.0, 0.0));
             const t22 = 1.0 / t13;
             /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
             const t23 = r33 * r33;
@@ -1033,8 +1033,8 @@ return $arm({
                 /* 1. q1 by SP4 */
                 const t32 = -e1;
                 const t33 = e1 * t16;
-                const s1 = $select(t13, 1.7221312899999994e-24, t2, (t20 + t12 * t33) * t22);
-                const c1 = $select(t13, 1.7221312899999994e-24, t5, (t19 - t11 * t33) * t22);
+                const s1 = $select(t13, 1.7221312899999994e-22, t2, (t20 + t12 * t33) * t22);
+                const c1 = $select(t13, 1.7221312899999994e-22, t5, (t19 - t11 * t33) * t22);
                 /* 2. q2+q3+q4 and q5 by SP2, given q1 */
                 const t34 = r13 * s1;
                 const t35 = r23 * c1;
@@ -1042,7 +1042,7 @@ return $arm({
                 const t37 = t35 - t34;
                 const c5 = t34 - t35;
                 const t38 = t23 + t36 * t36;
-                const t39 = $max($max($select(t14, t15, t32, 0.0), $select(t13, 1.7221312899999994e-24, t32, 0.0)), $select(t38, free_below, -e2, 0.0));
+                const t39 = $max($max($select(t14, t15, t32, 0.0), $select(t13, 1.7221312899999994e-22, t32, 0.0)), $select(t38, free_below, -e2, 0.0));
                 const s5 = e2 * Math.sqrt($select(t38, free_below, 0.0, t38));
                 const t40 = 1.0 / t38;
                 const s234 = $select(t38, free_below, t4, -(r33 * s5 * t40));
@@ -1082,7 +1082,7 @@ return $arm({
                 const t65 = t60 * t61;
                 const t66 = t49 * t62;
                 const t67 = Math.sqrt((t50 + t60 * t60) * (t61 * t61 + t62 * t62));
-                const singular = $max(t54, $select(t67, 1.7221312899999994e-24, 1.0, 0.0));
+                const singular = $max(t54, $select(t67, 1.7221312899999994e-22, 1.0, 0.0));
                 const t68 = 1.0 / t67;
                 /* Residual: forward kinematics against the target (what several branches share) */
                 const t69 = c5 * s6;
@@ -1185,8 +1185,8 @@ return $arm({
                 /* 4. q3 by SP3, given q6 */
                 const invalid = $max(t39_[k], e3 * t55_[k]);
                 /* 5. q2 by SP1, given q1, q3 and q6 */
-                const s2 = $select(t67_[k], 1.7221312899999994e-24, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
-                const c2 = $select(t67_[k], 1.7221312899999994e-24, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
+                const s2 = $select(t67_[k], 1.7221312899999994e-22, t3, -((t66_[k] + e3 * t65_[k]) * t68_[k]));
+                const c2 = $select(t67_[k], 1.7221312899999994e-22, t6, (e3 * t63_[k] - t64_[k]) * t68_[k]);
                 /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
                 const t97 = s234_[k] * c2 - c234_[k] * s2;
                 const t98 = c234_[k] * c2 + s234_[k] * s2;

@@ -274,6 +274,9 @@ fn at_rest_where_arm_and_wrist_are_stretched_no_elbow_jumps() {
             [-1.0, -FRAC_PI_2, 0.0, -FRAC_PI_2, 0.0, 0.0],
         ),
         ("robots/ur10e.yaml", [0.3, 0.7, 0.0, -0.2, 0.0, 0.4]),
+        // Straight but for rounding, and for what the steps before leave of it.
+        ("robots/ur5e.urdf", [0.3, -1.2, 1.5, -0.7, 1e-12, 0.4]),
+        ("robots/kr6_r900.yaml", [0.3, -1.2, 1.5, -0.7, 5e-12, 0.4]),
     ] {
         let robot = match file.ends_with("urdf") {
             true => Robot::from_urdf(folder.join(file)),

@@ -12,12 +12,14 @@ use crate::honest::{regular_answers_are_not_flagged, singular_answers_are_flagge
 use crate::malformed::{infinity_has_no_answers, not_a_number_has_no_answers};
 use crate::near::regular_targets_do_not_look_at_the_seed;
 use crate::nearest::{the_nearest_is_that_of_all_solutions, the_reason_for_none_is_true};
+use crate::random::Random;
 use crate::recovered::assert_comes_back;
 use crate::sound::{angles_are_in_range, answers_are_distinct, answers_reach_the_target};
 use crate::subject::Subject;
 use crate::unreachable::far_targets_have_no_answers;
-use kinematics::Kinematics;
-use std::f64::consts::PI;
+use kinematics::{Kinematics, Robot};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 
 for_every_noisy_robot!(poses_agree);
 for_every_noisy_robot!(jacobians_agree);
@@ -89,5 +91,39 @@ fn nearly_singular_targets_have_all_answers<K: Kinematics<N>, const N: usize>(
                 assert_matched(robot, &solution, &answers, &q);
             }
         }
+    }
+}
+
+/// Stretched arms and wrists, turned to the base's axis: pairs of solutions are 0.2 rad apart, and their
+/// values of the kept joint 1e-5. What is taken to zero in the middle mixes the two.
+#[test]
+fn solutions_that_nearly_share_the_kept_joints_value_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/robots");
+    let mut random = Random::new(5);
+    for (file, stretched) in [
+        (
+            "measured_kr6.yaml",
+            [0.0, -FRAC_PI_2, 0.0, 0.0, -FRAC_PI_2, -FRAC_PI_2],
+        ),
+        (
+            "measured_lr.yaml",
+            [0.0, 0.0, FRAC_PI_2, 0.0, FRAC_PI_2, PI],
+        ),
+    ] {
+        let robot = Robot::from_yaml(folder.join(file)).unwrap();
+        let mut tried = 0;
+        for k in 0..2000 {
+            let off = 0.1 * 10_f64.powi(-(k % 3));
+            let q = stretched.map(|q| q + random.between(-off, off));
+            if robot.manipulability(&q).sigma_min < 1e-2 {
+                continue;
+            }
+            tried += 1;
+            let is_same = |(a, b): (&f64, &f64)| (0.5 * (a - b)).sin().abs() < 1e-6;
+            let solutions = robot.ik(&robot.fk(&q));
+            let mut comes_back = solutions.iter().map(|it| it.q.iter().zip(&q).all(is_same));
+            assert!(comes_back.any(|is| is), "{file}: {q:?}");
+        }
+        assert!(tried > 300, "{file}: {tried} tell nothing");
     }
 }

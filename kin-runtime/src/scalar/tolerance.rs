@@ -14,8 +14,10 @@ pub const ROTATION: Real = 1e-9;
 /// What is smaller than this, relative to the largest, adds no rank.
 pub const RANK: Real = 1e-9;
 
-/// A vector whose square is below this, relative to its scale, tells no angle.
-pub const FREE_BELOW: Real = 1e-24;
+/// A vector whose square is below this, relative to its scale, tells no angle: steps before it that are
+/// nearly singular leave it 1e-12 and more of rounding, and the tip moves by a hundredth of what a solution
+/// may miss, whatever the angle.
+pub const FREE_BELOW: Real = 1e-22;
 /// A vector whose square is below this moves the tip by no more than Newton's method mends: the angle
 /// that it tells may be given up for any other, since the target may be nearer than what a solution
 /// may miss to one that leaves it free, the more so the nearer the vector's point is to the axis.

@@ -9,6 +9,8 @@ use super::zeros::{Zeros, zeros_near};
 pub(super) struct Candidate {
     /// The kept joint's value there, radians.
     pub angle: f64,
+    /// Whether it is two.
+    pub is_double: bool,
     /// Whether nobody knows how many it is.
     pub is_several: bool,
     /// The polynomial's zeros near it, if they could be counted.
@@ -39,6 +41,7 @@ impl Candidates {
     pub fn push(&mut self, roots: &Roots, number: usize) {
         self.all[self.count % MOST] = Candidate {
             angle: roots.angles[number % MOST],
+            is_double: roots.is_double(number),
             is_several: roots.is_several(number),
             zeros: None,
         };

@@ -405,6 +405,8 @@ impl<'a> Search<'a> {
         self.share::<2>(recovery, unclear, may_be_more, EXTRANEOUS);
         self.share_exactly(recovery, unclear);
         self.drop_complete(elimination, unclear);
+        // What else is nearly taken to zero mixes with the two.
+        self.share::<SHARING>(recovery, unclear, |it| it.is_double, EXTRANEOUS);
     }
 
     /// Adds the solutions of N that share a value of the kept joint.

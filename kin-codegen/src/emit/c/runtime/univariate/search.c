@@ -279,8 +279,8 @@ static void kin_start_unknown(kin_search *search, kin_starts *starts, int lane, 
 /* A root near which there may be several solutions. */
 typedef struct kin_candidate {
     double angle;
-    /* Whether nobody knows how many it is. */
-    int is_several;
+    /* Whether it is two, and whether nobody knows how many it is. */
+    int is_twice, is_several;
     kin_zeros zeros;
 } kin_candidate;
 
@@ -293,6 +293,7 @@ static void kin_push_candidate(kin_candidates *candidates, const kin_roots *root
 {
     kin_candidate *candidate = &candidates->all[candidates->count++ % KIN_MOST_ROOTS];
     candidate->angle = roots->angles[number];
+    candidate->is_twice = roots->twice >> number & 1;
     candidate->is_several = roots->several >> number & 1;
     candidate->zeros = kin_untold;
 }
@@ -511,6 +512,8 @@ static int kin_may_be_more(const kin_candidate *candidate)
 
 static int kin_is_pair(const kin_candidate *candidate) { return !kin_may_be_more(candidate); }
 
+static int kin_is_twice(const kin_candidate *candidate) { return candidate->is_twice; }
+
 static int kin_is_several(const kin_candidate *candidate) { return candidate->is_several; }
 
 static int kin_is_any(const kin_candidate *candidate)
@@ -569,6 +572,8 @@ static void kin_several_each(
     kin_share(search, recovery, unclear, kin_may_be_more, 2, KIN_EXTRANEOUS);
     kin_share_exactly(search, recovery, unclear);
     kin_settle(search, recovery->elimination, unclear);
+    /* What else is nearly taken to zero mixes with the two. */
+    kin_share(search, recovery, unclear, kin_is_twice, KIN_SHARING, KIN_EXTRANEOUS);
 }
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's

@@ -331,7 +331,9 @@ const $several_each = (search, loop, is_noisy, candidates) => {
         unclear = $share(search, loop, unclear, is_wanted, sharing, off);
     }
     $share_exactly(search, loop, unclear);
-    return $unsettled(search, loop, unclear);
+    unclear = $unsettled(search, loop, unclear);
+    /* What else is nearly taken to zero mixes with the two. */
+    return $share(search, loop, unclear, ({ is_twice }) => is_twice, $SHARING, $EXTRANEOUS);
 };
 
 /* Adds the solutions that nearly singular ones have nearly met, and those between which Newton's method
