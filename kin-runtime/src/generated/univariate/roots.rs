@@ -29,9 +29,6 @@ const WAITING: usize = 16;
 /// In multiples of the noise, what a coefficient may be without having a sign.
 pub(super) const UNSIGNED: f64 = 256.0;
 
-/// The same of an extremum that is likely to have one.
-const LIKELY: f64 = 8.0;
-
 /// Below this an interval, radians, on which there may be several roots is one candidate.
 const NARROW: f64 = 4e-4;
 
@@ -369,21 +366,19 @@ impl Search<'_> {
         let [low, high] = interval.t;
         let (opens, at_ends) = (rise[0] < 0.0, interval.coefficients[0]);
         let (t, [f, curvature]) = self.steady(arc, interval.t, interval.at(share), n, opens);
-        let is_above = |noise: f64| f.abs() > noise + 0.5 * CLOSE * curvature.abs();
-        let (is_curved, is_signed) = (curvature.abs() > CURVED, is_above(2.0 * self.noise));
-        // In the middle of two their solutions mix. If rounding made them up, no solution is found.
-        if f * at_ends < 0.0 && (is_signed || is_curved && is_above(LIKELY * self.f.noise)) {
+        let blur = 2.0 * self.noise + 0.5 * CLOSE * curvature.abs();
+        if f.abs() <= blur || f.is_nan() {
+            let at = middle(arc) + 2.0 * math::atan2(t, 1.0);
+            match curvature.abs() > CURVED {
+                true => found.push_double(at),
+                false => found.push_cluster(at),
+            }
+        } else if f * at_ends < 0.0 {
             // Where a parabola has them.
             let apart = 0.5 * math::sqrt((2.0 * f / curvature).abs());
             self.bracket(arc, [low, t], math::max(t - apart, low), !opens, found);
             let guess = -math::max(-(t + apart), -high);
             self.bracket(arc, [t, high], guess, opens, found);
-        } else if !is_signed {
-            let at = middle(arc) + 2.0 * math::atan2(t, 1.0);
-            match is_curved {
-                true => found.push_double(at),
-                false => found.push_cluster(at),
-            }
         } else if f.abs() <= 2.0 * UNSIGNED * self.f.shift {
             // Next to a family of solutions what the target is rounded by parts two that meet.
             found.push_double(middle(arc) + 2.0 * math::atan2(t, 1.0));

@@ -13,8 +13,6 @@
 #define KIN_UNSIGNED 256.0
 /* Below this an interval, radians, on which there may be several roots is one candidate. */
 #define KIN_NARROW 4e-4
-/* The same of an extremum that is likely to have one. */
-#define KIN_LIKELY 8.0
 /* Where all is noise, candidates are this far apart at most, radians. */
 #define KIN_BLIND 0.05
 /* Clusters that are nearer to each other are one, radians. */
@@ -178,8 +176,8 @@ static double kin_steady(
 static int kin_at_extremum(kin_isolation *search, const kin_interval *interval, kin_roots *found)
 {
     const int count = search->coefficients - 1;
-    double rise[KIN_COEFFICIENTS], share, f, curvature, t, close;
-    int opens, is_curved, is_signed, is_likely;
+    double rise[KIN_COEFFICIENTS], share, f, curvature, t;
+    int opens;
     for (int i = 0; i < count; ++i) {
         rise[i] = interval->coefficients[i + 1] - interval->coefficients[i];
     }
@@ -188,24 +186,22 @@ static int kin_at_extremum(kin_isolation *search, const kin_interval *interval, 
     }
     opens = rise[0] < 0.0;
     t = kin_steady(search, interval, kin_between(interval, share), opens, &f, &curvature);
-    /* Two roots that are nearer to each other than twice the root of 1e-12 are one candidate; of three or
-     * more, the curvature would be what rounding leaves. */
-    close = 0.5e-12 * fabs(curvature);
-    is_curved = fabs(curvature) > 1e-4;
-    is_signed = fabs(f) > 2.0 * search->noise + close;
-    is_likely = is_curved && fabs(f) > KIN_LIKELY * search->f->noise + close;
-    /* In the middle of two their solutions mix. If rounding made them up, no solution is found. */
-    if (f * interval->coefficients[0] < 0.0 && (is_signed || is_likely)) {
+    /* Two roots that are nearer to each other than twice the root of 1e-12 are one candidate. */
+    if (!(fabs(f) > 2.0 * search->noise + 0.5e-12 * fabs(curvature))) {
+        const double at = kin_arc_angle(search, t);
+        /* Of three roots or more, the curvature would be what rounding leaves. */
+        if (fabs(curvature) > 1e-4) {
+            found->twice |= 1u << found->count % KIN_MOST_ROOTS;
+            kin_push_root(at, found);
+        } else {
+            kin_push_cluster(at, found);
+        }
+    } else if (f * interval->coefficients[0] < 0.0) {
         /* Where a parabola has them. */
         const double apart = 0.5 * sqrt(fabs(2.0 * f / curvature));
         const double low = interval->low, high = interval->high;
         kin_bracket(search, low, t, kin_max(t - apart, low), !opens, found);
         kin_bracket(search, t, high, -kin_max(-(t + apart), -high), opens, found);
-    } else if (!is_signed && is_curved) {
-        found->twice |= 1u << found->count % KIN_MOST_ROOTS;
-        kin_push_root(kin_arc_angle(search, t), found);
-    } else if (!is_signed) {
-        kin_push_cluster(kin_arc_angle(search, t), found);
     } else if (fabs(f) <= 2.0 * KIN_UNSIGNED * search->f->shift) {
         /* Next to a family of solutions what the target is rounded by parts two that meet. */
         found->twice |= 1u << found->count % KIN_MOST_ROOTS;

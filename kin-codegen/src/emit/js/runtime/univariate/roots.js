@@ -17,8 +17,6 @@ const $WAITING = 16;
 const $UNSIGNED = 256.0;
 /* Below this an interval, radians, on which there may be several roots is one candidate. */
 const $NARROW = 4e-4;
-/* The same of an extremum that is likely to have one. */
-const $LIKELY = 8.0;
 /* Where all is noise, candidates are this far apart at most, radians. */
 const $BLIND = 0.05;
 /* Clusters that are nearer to each other are one, radians. */
@@ -189,22 +187,20 @@ const $at_extremum = (isolation, interval) => {
     }
     const opens = rise[0] < 0.0;
     const { t, value, curvature } = $steady(isolation, interval, $between(interval, share), opens);
-    /* Two roots that are nearer to each other than twice the root of 1e-12 are one candidate; of three or
-     * more, the curvature would be what rounding leaves. */
-    const is_above = (noise) => Math.abs(value) > noise + 0.5e-12 * Math.abs(curvature);
-    const is_curved = Math.abs(curvature) > 1e-4;
-    const is_signed = is_above(2.0 * noise);
-    const is_likely = is_curved && is_above($LIKELY * isolation.f.noise);
-    /* In the middle of two their solutions mix. If rounding made them up, no solution is found. */
-    if (value * coefficients[0] < 0.0 && (is_signed || is_likely)) {
+    /* Two roots that are nearer to each other than twice the root of 1e-12 are one candidate. */
+    if (!(Math.abs(value) > 2.0 * noise + 0.5e-12 * Math.abs(curvature))) {
+        const angle = $arc_angle(isolation, t);
+        /* Of three roots or more, the curvature would be what rounding leaves. */
+        if (Math.abs(curvature) > 1e-4) {
+            $push_root(found, angle, { is_twice: true });
+        } else {
+            $push_cluster(found, angle);
+        }
+    } else if (value * coefficients[0] < 0.0) {
         /* Where a parabola has them. */
         const apart = 0.5 * Math.sqrt(Math.abs((2.0 * value) / curvature));
         $bracket(isolation, low, t, $max(t - apart, low), !opens);
         $bracket(isolation, t, high, -$max(-(t + apart), -high), opens);
-    } else if (!is_signed && is_curved) {
-        $push_root(found, $arc_angle(isolation, t), { is_twice: true });
-    } else if (!is_signed) {
-        $push_cluster(found, $arc_angle(isolation, t));
     } else if (Math.abs(value) <= 2.0 * $UNSIGNED * isolation.f.shift) {
         /* Next to a family of solutions what the target is rounded by parts two that meet. */
         $push_root(found, $arc_angle(isolation, t), { is_twice: true });
