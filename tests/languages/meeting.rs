@@ -62,17 +62,17 @@ fn solutions_that_have_nearly_met_show_each_other() {
             search.meeting = 1.0;
             $insert_new(search, $polish(form.search, search.target, q, 6));
             $meet(search);
-            const others = search.regular.slice(1, 3).map((it) => it.q);
-            return [...starts, ...others, ...others.slice(others.length - 1), q, q].slice(0, 4);
+            const others = search.regular.slice(1, 4).map((it) => it.q);
+            return [...starts, ...others, q, q, q].slice(0, 6);
         }).flat().flatMap((q) => Array.from(q));",
     );
-    assert_eq!(said.len(), 24 * pairs.len());
-    for ((_, q, other), said) in pairs.iter().zip(said.chunks(24)) {
+    assert_eq!(said.len(), 36 * pairs.len());
+    for ((_, q, other), said) in pairs.iter().zip(said.chunks(36)) {
         let missed = |some: &[f64]| {
             let each = some.chunks(6).map(|start| apart(start, other));
             each.fold(f64::INFINITY, f64::min)
         };
-        let (starts, found) = said.split_at(12);
+        let (starts, found) = said.split_at(18);
         let between = apart(q, other);
         assert!(missed(starts) < 0.2 * between, "{q:?}: {starts:?}");
         assert!(missed(found) < 1e-9, "{q:?}: {found:?}");

@@ -127,3 +127,35 @@ fn solutions_that_nearly_share_the_kept_joints_value_come_back() {
         assert!(tried > 300, "{file}: {tried} tell nothing");
     }
 }
+
+/// Where an arm stretched straight up or folded has its wrist over the base's axis as well, the Jacobian
+/// loses two ranks, and four solutions meet, none along the direction that moves the tip least.
+#[test]
+fn solutions_beside_two_singularities_at_once_come_back() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/robots/noisy/calibrated.yaml");
+    let robot = Robot::from_yaml(file).unwrap();
+    let mut random = Random::new(6);
+    let mut tried = 0;
+    for lift in [FRAC_PI_2, -FRAC_PI_2] {
+        for wrist_1 in [FRAC_PI_2, -FRAC_PI_2] {
+            for wrist_2 in [0.0, FRAC_PI_2] {
+                for k in 0..500 {
+                    let off = 0.01 * 4_f64.powi(-(k % 3));
+                    let q = [0.5, lift, 0.0, wrist_1, wrist_2, -0.1];
+                    let q = q.map(|q| q + random.between(-off, off));
+                    // Nearer to singular, two solutions are one.
+                    if robot.manipulability(&q).sigma_min < 2e-5 {
+                        continue;
+                    }
+                    tried += 1;
+                    let is_same = |(a, b): (&f64, &f64)| (0.5 * (a - b)).sin().abs() < 1e-6;
+                    let solutions = robot.ik(&robot.fk(&q));
+                    let mut comes_back =
+                        solutions.iter().map(|it| it.q.iter().zip(&q).all(is_same));
+                    assert!(comes_back.any(|is| is), "{q:?}");
+                }
+            }
+        }
+    }
+    assert!(tried > 3000, "{tried} tell nothing");
+}

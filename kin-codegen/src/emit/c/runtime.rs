@@ -68,7 +68,7 @@ pub const SEARCH: [&str; 16] = [
     include_str!("runtime/univariate/sharing.c"), // sharing.rs
     include_str!("runtime/univariate/recover.c"), // recover.rs
     include_str!("runtime/univariate/polish.c"), // polish.rs
-    include_str!("runtime/univariate/split.c"),  // polish.rs
+    include_str!("runtime/univariate/split.c"),  // split.rs
     include_str!("runtime/univariate/found.c"),  // found.rs
     include_str!("runtime/univariate/search.c"), // candidates.rs, search.rs
 ];

@@ -34,6 +34,7 @@ mod roots;
 mod search;
 mod sharing;
 mod short;
+mod split;
 mod turn;
 mod vanishing;
 mod zeros;

@@ -5,7 +5,7 @@ use super::lanes::{InLanes, LANES, Lanes, dot, in_lanes};
 use crate::Pose;
 use crate::scalar::tolerance::ROUNDING;
 
-type Rows<L> = [L; 6];
+pub(super) type Rows<L> = [L; 6];
 
 /// From so many steps on, a configuration that does not come nearer by this factor in a
 /// step is not waited for: at a double root Newton's method gains a factor of 4.
@@ -105,82 +105,8 @@ fn newton<L: Lanes>(
     }
 }
 
-/// Near a nearly singular configuration, the two others at which the target may be
-/// reached, to second order.
-///
-/// Where J v is small, what is missing is e = J δ + ½ H(δ, δ) with δ = α v + …, and along
-/// v the roots of v·J⁻¹e = α + ½ α² v·J⁻¹H(v, v) tell α; where there are none, both are
-/// where the tip comes nearest: the bifurcation equation of Lyapunov and Schmidt to second
-/// order (M. Golubitsky and D. G. Schaeffer, Singularities and Groups in Bifurcation Theory
-/// I, 1985, chapter I). H(v, v) is a second difference.
-#[inline(never)]
-pub(super) fn split(
-    frames: &Frames,
-    target: &Pose,
-    q: &[[f64; LANES]; 6],
-) -> [[[f64; LANES]; 6]; 2] {
-    in_lanes::<Split, _>((frames, target, q))
-}
-
-struct Split;
-
-impl InLanes<(&Frames, &Pose, &[[f64; LANES]; 6])> for Split {
-    type Output = [[[f64; LANES]; 6]; 2];
-
-    #[inline(always)]
-    fn run<L: Lanes>((frames, target, q): (&Frames, &Pose, &[[f64; LANES]; 6])) -> Self::Output {
-        apart::<L>(frames, target, q)
-    }
-}
-
 #[inline(always)]
-fn apart<L: Lanes>(
-    frames: &Frames,
-    target: &Pose,
-    q: &[[f64; LANES]; 6],
-) -> [[[f64; LANES]; 6]; 2] {
-    let q = of_numbers::<L>(q);
-    let (mut forward, mut jacobian) = (Forward::EMPTY, Factored::EMPTY);
-    forward.compute(frames, target, &q);
-    jacobian.factor(frames, &forward);
-    let (here, v) = (forward.error, jacobian.weak());
-    let mut bend = [L::ZERO; 6];
-    for i in 0..6 {
-        bend[i] = here[i] + here[i];
-    }
-    for by in [BEND, -BEND] {
-        forward.compute(frames, target, &moved(&q, &v, by));
-        for i in 0..6 {
-            bend[i] = bend[i] - forward.error[i];
-        }
-    }
-    for bend in &mut bend {
-        *bend = bend.scaled(1.0 / (BEND * BEND));
-    }
-    let (step, bent) = (jacobian.solve(here), jacobian.solve(bend));
-    let (e, a) = (dot(&v, &step), dot(&v, &bent));
-    let root = L::ONE.plus(&(a + a), &e).max(L::ZERO).sqrt();
-    // α = (−1 ± root) / a, without cancellation.
-    let beyond = L::ONE + root;
-    let mut out = [[[0.0; LANES]; 6]; 2];
-    for (out, alpha) in out
-        .iter_mut()
-        .zip([(e + e) * beyond.inverse(), -beyond * a.inverse()])
-    {
-        let alpha = alpha.min(L::splat(FARTHEST)).max(L::splat(-FARTHEST));
-        let half_square = (alpha * alpha).scaled(0.5);
-        for i in 0..6 {
-            let across = step[i].minus(&e, &v[i]);
-            let bent_across = bent[i].minus(&a, &v[i]);
-            let there = (q[i] + across).plus(&alpha, &v[i]);
-            out[i] = there.minus(&half_square, &bent_across).numbers();
-        }
-    }
-    out
-}
-
-#[inline(always)]
-fn of_numbers<L: Lanes>(q: &[[f64; LANES]; 6]) -> Rows<L> {
+pub(super) fn of_numbers<L: Lanes>(q: &[[f64; LANES]; 6]) -> Rows<L> {
     let mut out = [L::ZERO; 6];
     for i in 0..6 {
         out[i] = L::of(q[i]);
@@ -197,36 +123,20 @@ fn numbers<L: Lanes>(q: &Rows<L>) -> [[f64; LANES]; 6] {
     out
 }
 
-/// q + by v.
-#[inline(always)]
-fn moved<L: Lanes>(q: &Rows<L>, v: &Rows<L>, by: f64) -> Rows<L> {
-    let mut out = *q;
-    for (out, v) in out.iter_mut().zip(v) {
-        *out = out.plus_scaled(v, by);
-    }
-    out
-}
-
-/// How far the second derivative is taken, radians.
-const BEND: f64 = 1e-3;
-
-/// So far the second order may tell anything, radians.
-const FARTHEST: f64 = 0.5;
-
 /// Forward kinematics, and what is missing of the target; lengths in units of half the arm's size.
-struct Forward<L: Lanes> {
+pub(super) struct Forward<L: Lanes> {
     /// Direction and a point of each joint's axis.
     axes: [[[L; 3]; 2]; 6],
     tip: [L; 3],
     /// What is missing of the target, as the geometric Jacobian makes it, lengths in units of the
     /// arm's size.
-    error: Rows<L>,
+    pub error: Rows<L>,
     residual: L,
 }
 
 impl<L: Lanes> Forward<L> {
     /// Of nothing yet.
-    const EMPTY: Self = Self {
+    pub const EMPTY: Self = Self {
         axes: [[[L::ZERO; 3]; 2]; 6],
         tip: [L::ZERO; 3],
         error: [L::ZERO; 6],
@@ -234,7 +144,7 @@ impl<L: Lanes> Forward<L> {
     };
 
     #[inline(always)]
-    fn compute(&mut self, frames: &Frames, target: &Pose, q: &Rows<L>) {
+    pub fn compute(&mut self, frames: &Frames, target: &Pose, q: &Rows<L>) {
         let mut r = [[L::ZERO; 3]; 3];
         let mut p = [L::ZERO; 3];
         for row in 0..3 {
@@ -319,7 +229,7 @@ impl<L: Lanes> Forward<L> {
 /// at right angles and have the lengths of the pivots; R has ones on its diagonal. What is
 /// solved with both in turn is as good as by reflections (Å. Björck, "Solving linear least
 /// squares problems by Gram-Schmidt orthogonalization", BIT 7, 1967).
-struct Factored<L: Lanes> {
+pub(super) struct Factored<L: Lanes> {
     orthogonal: [Rows<L>; 6],
     /// By row.
     above: [Rows<L>; 6],
@@ -332,7 +242,7 @@ const LEAST_SQUARE: f64 = 1e-24;
 
 impl<L: Lanes> Factored<L> {
     /// Of nothing yet.
-    const EMPTY: Self = Self {
+    pub const EMPTY: Self = Self {
         orthogonal: [[L::ZERO; 6]; 6],
         above: [[L::ZERO; 6]; 6],
         squares: [L::ZERO; 6],
@@ -340,7 +250,7 @@ impl<L: Lanes> Factored<L> {
     };
 
     #[inline(always)]
-    fn factor(&mut self, frames: &Frames, forward: &Forward<L>) {
+    pub fn factor(&mut self, frames: &Frames, forward: &Forward<L>) {
         for joint in 0..6 {
             self.orthogonal[joint] = forward.column(frames, joint);
         }
@@ -362,7 +272,7 @@ impl<L: Lanes> Factored<L> {
 
     /// J⁻¹ e.
     #[inline(always)]
-    fn solve(&self, mut e: Rows<L>) -> Rows<L> {
+    pub fn solve(&self, mut e: Rows<L>) -> Rows<L> {
         let mut x = [L::ZERO; 6];
         for j in 0..6 {
             let column = &self.orthogonal[j];
@@ -425,16 +335,17 @@ impl<L: Lanes> Factored<L> {
         least.numbers().iter().zip(&enough).all(|(a, b)| a > b)
     }
 
-    /// The motion of the joints that moves the tip least, of length 1: the least right
-    /// singular vector, by inverse iteration on JᵀJ.
+    /// The motion of the joints that moves the tip least, of length 1, among those at right angles to
+    /// `others`: the least right singular vector, by inverse iteration on JᵀJ.
     #[inline(always)]
-    fn weak(&self) -> Rows<L> {
+    pub fn weak(&self, others: &[Rows<L>]) -> Rows<L> {
         let mut x = [L::ZERO; 6];
         for (i, x) in x.iter_mut().enumerate() {
             // A start that no arm is square to.
             *x = L::splat(1.0 + 0.3 * i as f64);
         }
         for _ in 0..2 {
+            across(&mut x, others);
             for j in 0..6 {
                 for i in 0..j {
                     x[j] = x[j].minus(&self.above[i][j], &x[i]);
@@ -444,10 +355,22 @@ impl<L: Lanes> Factored<L> {
                 x[j] *= self.inverses[j];
             }
             x = self.back_substituted(x);
+            across(&mut x, others);
             let share = dot(&x, &x).sqrt().inverse();
             x.iter_mut().for_each(|x| *x *= share);
         }
         x
+    }
+}
+
+/// Takes away what of x is along others of length 1, which are at right angles to each other.
+#[inline(always)]
+pub(super) fn across<L: Lanes>(x: &mut Rows<L>, others: &[Rows<L>]) {
+    for other in others {
+        let along = dot(x, other);
+        for i in 0..6 {
+            x[i] = x[i].minus(&along, &other[i]);
+        }
     }
 }
 

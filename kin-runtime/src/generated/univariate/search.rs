@@ -3,11 +3,12 @@
 use super::candidates::{Candidate, Candidates};
 use super::elimination::Elimination;
 use super::found::{Answer, Found, NEXT_TO, REACHED, Waiting};
-use super::polish::{Polished, polished, split};
+use super::polish::{Polished, polished};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
 use super::roots::{CLUSTER, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
+use super::split::split;
 use super::{LANES, Outcome, Univariate};
 use crate::generated::refinement::{Problem, levenberg};
 use crate::linear::vector::norm;

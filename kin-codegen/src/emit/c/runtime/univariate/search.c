@@ -584,7 +584,7 @@ static void kin_meet(kin_search *search)
     kin_queue points = search->stuck;
     search->stuck.count = 0;
     for (int round = 0; round < 4; ++round) {
-        kin_pack from[6], apart[2][6];
+        kin_pack from[6], apart[3][6];
         int count;
         for (; points.count < KIN_LANES && search->looked_at < found->regular_count;
              ++search->looked_at) {
@@ -601,7 +601,7 @@ static void kin_meet(kin_search *search)
             break;
         }
         kin_split(&search->problem, from, apart);
-        for (int i = 0; i < 2; ++i) {
+        for (int i = 0; i < 3; ++i) {
             for (int k = 0; k < count; ++k) {
                 double q[6];
                 kin_in_lane(apart[i], k, q);

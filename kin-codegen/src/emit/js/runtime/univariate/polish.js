@@ -154,12 +154,20 @@ const $polish = (search, target, start, steps) => {
     return { q, residual: system.residual, independence: $independence(jacobian) };
 };
 
-/* The motion of the joints that moves the tip least, of length 1: the least right singular vector, by
- * inverse iteration on the transpose of J times J. */
-const $weak_motion = (jacobian) => {
+/* x without what of it is along others of length 1, which are at right angles to each other. */
+const $across = (x, others) =>
+    others.reduce((x, other) => {
+        const along = $dot(x, other);
+        return x.map((x, i) => x - along * other[i]);
+    }, x);
+
+/* The motion of the joints that moves the tip least, of length 1, among those at right angles to
+ * `others`: the least right singular vector, by inverse iteration on the transpose of J times J. */
+const $weak_motion = (jacobian, others) => {
     /* A start that no arm is square to. */
-    const x = $zeros(6).map((_, i) => 1.0 + 0.3 * i);
+    let x = $zeros(6).map((_, i) => 1.0 + 0.3 * i);
     for (let round = 0; round < 2; ++round) {
+        x = $across(x, others);
         for (let j = 0; j < 6; ++j) {
             for (let i = 0; i < j; ++i) {
                 x[j] -= jacobian.above[i][j] * x[i];
@@ -169,43 +177,101 @@ const $weak_motion = (jacobian) => {
             x[j] *= jacobian.inverses[j];
         }
         $back_substitute(jacobian, x);
+        x = $across(x, others);
         $normalize(x);
     }
     return x;
 };
 
-/* Near a nearly singular configuration, the two others at which the target may be reached, to second
- * order. Where J v is small, what is missing is e = J d + H(d, d)/2 with d = a v + ..., and along v the
- * roots of v.J^-1 e = a + a^2 v.J^-1 H(v, v)/2 tell a; where there are none, both are where the tip
- * comes nearest: the bifurcation equation of Lyapunov and Schmidt to second order (Golubitsky and
- * Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, chapter I). H(v, v) is a second
- * difference. */
+const $form_value = (form, [x, y]) =>
+    x * x * (x * form[0] + y * form[1]) + y * y * (x * form[2] + y * form[3]);
+
+/* How fast it grows from (x, y) in a direction. */
+const $form_slope = (form, [x, y], along) =>
+    along[0] * (3.0 * x * x * form[0] + 2.0 * x * y * form[1] + y * y * form[2]) +
+    along[1] * (3.0 * y * y * form[3] + 2.0 * x * y * form[2] + x * x * form[1]);
+
+/* The directions, of length 1, of a cubic form's zeros, the real parts of two that are complex. */
+const $form_zeros = (form) => {
+    /* By a direction d in which the form is no less than in others, a zero is r d and the one at a right
+     * angle to it. */
+    const size = (u) => Math.abs($form_value(form, u));
+    const d = [
+        [0.0, 1.0],
+        [Math.SQRT1_2, Math.SQRT1_2],
+        [Math.SQRT1_2, -Math.SQRT1_2],
+    ].reduce((d, u) => (size(u) > size(d) ? u : d), [1.0, 0.0]);
+    const beside = [-d[1], d[0]];
+    const lead = $form_value(form, d);
+    const third = $form_slope(form, d, beside) / lead / 3.0;
+    const b = $form_slope(form, beside, d) / lead;
+    /* y^3 + p y + q = 0 of y = r + third: the root of the other sign than q is alone, the others are on
+     * both sides of half of it, if they are real. */
+    const p = b - 3.0 * third * third;
+    const q = 2.0 * third * third * third - third * b + $form_value(form, beside) / lead;
+    let y = 1.0 + Math.abs(p) + Math.abs(q);
+    /* Newton's method from above: each step is a third of the way at least. */
+    for (let step = 0; step < 20; ++step) {
+        y = (2.0 * y * y * y + Math.abs(q)) / (3.0 * y * y + p);
+    }
+    y = q < 0.0 ? y : -y;
+    const gap = Math.sqrt($max(-p - 0.75 * y * y, 0.0));
+    return [y, gap - 0.5 * y, -gap - 0.5 * y].map((y) => {
+        const r = y - third;
+        const share = 1.0 / Math.sqrt(1.0 + r * r);
+        return beside.map((x, i) => (x + r * d[i]) * share);
+    });
+};
+
+/* Near a nearly singular configuration, the three others at which the target may be reached, to second
+ * order. Where J loses one or two ranks, what is missing is e = J d + H(d, d)/2 with d = a v + b w + ...
+ * along the two directions that J takes nearest to zero; with u = (a, b) the parts of J^-1 of it along
+ * both are u + Q(u, u)/2, two conics: the bifurcation equations of Lyapunov and Schmidt to second order
+ * (Golubitsky and Schaeffer, Singularities and Groups in Bifurcation Theory I, 1985, chapter I). From a
+ * solution, where nothing is missing, the others are in the directions of three u to which Q(u, u) is
+ * parallel. So is nearly v where J loses one rank alone. Along each the farther root is taken, for
+ * Newton's method leads to the nearer; where there is none, or two of the directions are complex, what
+ * is between the two. H is a second difference. */
 const $split = (search, target, q) => {
     /* How far the second derivative is taken, and the second order may tell anything, radians. */
     const bend_by = 1e-3;
     const farthest = 0.5;
     const here = $system(search, target, q);
     const jacobian = $orthogonal(here);
-    const v = $weak_motion(jacobian);
-    const bend = here.error.map((x) => x + x);
-    for (const way of [-bend_by, bend_by]) {
-        const beside = $system(search, target, v.map((x, i) => q[i] + x * way));
-        beside.error.forEach((x, i) => (bend[i] -= x));
-    }
+    const v = $weak_motion(jacobian, []);
+    const w = $weak_motion(jacobian, [v]);
+    const bend = (along) => {
+        const bend = here.error.map((x) => x + x);
+        for (const way of [-bend_by, bend_by]) {
+            const beside = $system(search, target, along.map((x, i) => q[i] + x * way));
+            beside.error.forEach((x, i) => (bend[i] -= x));
+        }
+        return bend.map((x) => x * (1.0 / (bend_by * bend_by)));
+    };
+    const [first, both, second] = [v, v.map((x, i) => x + w[i]), w].map(bend);
+    const mixed = both.map((x, i) => 0.5 * (x - first[i] - second[i]));
     const step = $solve_jacobian(jacobian, here.error);
-    const bent = $solve_jacobian(jacobian, bend.map((x) => x * (1.0 / (bend_by * bend_by))));
-    const e = $dot(v, step);
-    const a = $dot(v, bent);
-    /* (-1 +- root) / a, without cancellation. */
-    const beyond = 1.0 + Math.sqrt($max(1.0 + 2.0 * a * e, 0.0));
-    return [(2.0 * e) / beyond, -beyond / a].map((alpha) => {
-        const less = -$max(-alpha, -farthest);
-        const by = $max(less, -farthest);
-        const half_square = by * by * 0.5;
-        return v.map((x, i) => {
-            const across = step[i] - e * x;
-            const bent_across = bent[i] - a * x;
-            return q[i] + across + by * x - half_square * bent_across;
+    const bends = [first, mixed, second].map((bend) => $solve_jacobian(jacobian, bend));
+    /* By the two directions: what is missing and Q, and what of both is across. */
+    const missing = [v, w].map((v) => $dot(v, step));
+    const conics = [v, w].map((v) => bends.map((bent) => $dot(v, bent)));
+    const step_across = $across(step, [v, w]);
+    const across = bends.map((bent) => $across(bent, [v, w]));
+    /* Zero where Q(u, u) is parallel to u, by falling powers of its first number. */
+    const form = [
+        conics[1][0],
+        2.0 * conics[1][1] - conics[0][0],
+        conics[1][2] - 2.0 * conics[0][1],
+        -conics[0][2],
+    ];
+    return $form_zeros(form).map(([x, y]) => {
+        const squares = [x * x, 2.0 * x * y, y * y];
+        const a = squares.reduce((a, square, i) => a + square * (x * conics[0][i] + y * conics[1][i]), 0.0);
+        const root = Math.sqrt($max(1.0 + 2.0 * a * (x * missing[0] + y * missing[1]), 0.0));
+        const by = $max(-$max((1.0 + root) / a, -farthest), -farthest);
+        return q.map((q, i) => {
+            const bent = squares.reduce((bent, square, m) => bent + square * across[m][i], 0.0);
+            return q + step_across[i] + by * (x * v[i] + y * w[i]) - 0.5 * by * by * bent;
         });
     });
 };
