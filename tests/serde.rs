@@ -75,12 +75,14 @@ fn what_is_read_back_is_the_same_to_the_last_bit() {
         from_str::<kinematics::single::Pose>(&text).unwrap(),
         rounded
     );
-    // A robot at run time says the same.
+    // A robot at run time says the same, and how many there are before it says them, as formats
+    // without brackets have it.
     let robot = Robot::from_yaml("../robots/scara.yaml").unwrap();
     assert_eq!(
         to_value(robot.ik(&pose)).unwrap(),
         to_value(solutions).unwrap()
     );
+    assert_eq!(robot.ik(&pose).iter().len(), 2);
 }
 
 #[test]
@@ -96,5 +98,34 @@ fn a_solution_of_another_arm_is_none() {
             error.contains("2 numbers") || error.contains("2 elements"),
             "{error}"
         );
+    }
+}
+
+#[test]
+fn a_limit_without_two_stops_in_order_is_none() {
+    let why = |text: &str| from_str::<JointLimit>(text).unwrap_err().to_string();
+    for (text, expected) in [
+        (
+            r#"{"revolute": {"lowr": -1, "upper": 1}}"#,
+            "unknown field `lowr`",
+        ),
+        (r#"{"prismatic": {"upper": 1}}"#, "missing field `lower`"),
+        (r#"{"revolute": {}}"#, "missing field `lower`"),
+        (
+            r#"{"revolute": {"lower": 2, "upper": -1}}"#,
+            "the lower stop of a joint is not above the upper one",
+        ),
+    ] {
+        assert!(why(text).contains(expected), "{text}: {}", why(text));
+    }
+    for (lower, upper) in [
+        (f64::NAN, 1.0),
+        (-1.0, f64::NAN),
+        (f64::INFINITY, f64::INFINITY),
+        (f64::NEG_INFINITY, f64::NEG_INFINITY),
+        (1.0, -1.0),
+    ] {
+        let refused = to_string(&JointLimit::revolute(lower, upper));
+        assert!(refused.unwrap_err().to_string().contains("stop of a joint"));
     }
 }

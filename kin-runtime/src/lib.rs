@@ -20,7 +20,8 @@
 //! # Serialized
 //!
 //! The form is that of the types: fields by their names, radians and metres, arrays of fixed
-//! length, numbers to the last bit where the format keeps them.
+//! length, numbers to the last bit where the format keeps them, as `serde_json` does with its feature
+//! `float_roundtrip`.
 //!
 //! | | in JSON |
 //! |---|---|
@@ -29,7 +30,7 @@
 //! | [`Jacobian`] | `{"rows": [[..], ..]}`, six of N numbers |
 //! | [`Solution`] | `{"q": [..], "residual": 0, "branch": 3, "singular": false}` |
 //! | [`Solutions`] | a sequence of these; to be read into any collection |
-//! | [`JointLimit`] | `{"revolute": {"lower": -1, "upper": null}}`, also `prismatic`; `"continuous"`; `null` where there is no stop |
+//! | [`JointLimit`] | `{"revolute": {"lower": -1, "upper": null}}`, also `prismatic`; `"continuous"`; `null` where there is no stop. Both are there, the lower one not above the upper |
 //! | [`Target`] | its word in options: `"position_axis"` |
 #![no_std]
 

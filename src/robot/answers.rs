@@ -46,18 +46,22 @@ impl Answers {
 
     /// One of them, by its place.
     pub fn get(&self, place: usize) -> Option<Answer<'_>> {
-        let rest = self.rest.get(place)?;
-        Some(Answer {
+        self.rest.get(place).map(|rest| self.answer(place, rest))
+    }
+
+    /// One after the other.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Answer<'_>> {
+        let rest = self.rest.iter().enumerate();
+        rest.map(|(place, rest)| self.answer(place, rest))
+    }
+
+    fn answer(&self, place: usize, rest: &Rest) -> Answer<'_> {
+        Answer {
             q: &self.q[place * self.joints..(place + 1) * self.joints],
             residual: rest.residual,
             branch: rest.branch,
             singular: rest.singular,
-        })
-    }
-
-    /// One after the other.
-    pub fn iter(&self) -> impl Iterator<Item = Answer<'_>> {
-        (0..self.len()).filter_map(|place| self.get(place))
+        }
     }
 }
 

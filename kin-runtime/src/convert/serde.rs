@@ -102,27 +102,42 @@ impl<const N: usize> Serialize for Solutions<N> {
     }
 }
 
-/// A [`JointLimit`] with none in place of infinity, which JSON has no number for.
+/// A [`JointLimit`] with none in place of infinity, which JSON has no number for. Both stops have to be
+/// there: a word that is misspelt must not be a joint without stops.
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "JointLimit", rename_all = "snake_case")]
+#[serde(rename = "JointLimit", rename_all = "snake_case", deny_unknown_fields)]
 enum Stops {
     Revolute {
-        #[serde(default)]
+        #[serde(deserialize_with = "Option::deserialize")]
         lower: Option<Real>,
-        #[serde(default)]
+        #[serde(deserialize_with = "Option::deserialize")]
         upper: Option<Real>,
     },
     Continuous,
     Prismatic {
-        #[serde(default)]
+        #[serde(deserialize_with = "Option::deserialize")]
         lower: Option<Real>,
-        #[serde(default)]
+        #[serde(deserialize_with = "Option::deserialize")]
         upper: Option<Real>,
     },
 }
 
+/// What of two stops no value is between.
+fn refused(lower: Real, upper: Real) -> Option<&'static str> {
+    if lower.is_nan() || upper.is_nan() {
+        Some("a stop of a joint is a number, or null where there is none, and not NaN")
+    } else if lower > upper || lower == Real::INFINITY || upper == Real::NEG_INFINITY {
+        Some("the lower stop of a joint is not above the upper one")
+    } else {
+        None
+    }
+}
+
 impl Serialize for JointLimit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if let Some(why) = refused(self.lower(), self.upper()) {
+            return Err(serde::ser::Error::custom(why));
+        }
         let finite = |stop: Real| Some(stop).filter(|stop| stop.is_finite());
         let (lower, upper) = (finite(self.lower()), finite(self.upper()));
         let stops = match self {
@@ -136,20 +151,17 @@ impl Serialize for JointLimit {
 
 impl<'de> Deserialize<'de> for JointLimit {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let stops = |lower: Option<Real>, upper: Option<Real>| {
-            let lower = lower.unwrap_or(Real::NEG_INFINITY);
-            (lower, upper.unwrap_or(Real::INFINITY))
-        };
-        Ok(match Stops::deserialize(deserializer)? {
-            Stops::Continuous => JointLimit::Continuous,
-            Stops::Revolute { lower, upper } => {
-                let (lower, upper) = stops(lower, upper);
-                JointLimit::revolute(lower, upper)
-            }
-            Stops::Prismatic { lower, upper } => {
-                let (lower, upper) = stops(lower, upper);
-                JointLimit::prismatic(lower, upper)
-            }
-        })
+        let (lower, upper, of): (_, _, fn(Real, Real) -> Self) =
+            match Stops::deserialize(deserializer)? {
+                Stops::Continuous => return Ok(JointLimit::Continuous),
+                Stops::Revolute { lower, upper } => (lower, upper, JointLimit::revolute),
+                Stops::Prismatic { lower, upper } => (lower, upper, JointLimit::prismatic),
+            };
+        let lower = lower.unwrap_or(Real::NEG_INFINITY);
+        let upper = upper.unwrap_or(Real::INFINITY);
+        match refused(lower, upper) {
+            Some(why) => Err(D::Error::custom(why)),
+            None => Ok(of(lower, upper)),
+        }
     }
 }
