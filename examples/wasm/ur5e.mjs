@@ -5,17 +5,23 @@ export async function load(bytes) {
     const { instance } = await WebAssembly.instantiate(bytes);
     const { memory, numbers, fk, ik } = instance.exports;
     const all = new Float64Array(memory.buffer, numbers(), 36 + 7 * 16);
+    const put = (values, place, length) => {
+        if (values.length !== length || !Array.from(values).every((x) => typeof x === "number")) {
+            throw new TypeError(`these are ${length} numbers: ${values}`);
+        }
+        all.set(values, place);
+    };
     return {
         /** The pose of the tip and the origins of the links. */
         fk(q) {
-            all.set(q, 0);
+            put(q, 0, 6);
             fk();
             const link = (i) => Array.from(all.subarray(18 + 3 * i, 21 + 3 * i));
             return { pose: Array.from(all.subarray(6, 18)), links: [0, 1, 2, 3, 4, 5].map(link) };
         },
         /** All solutions to a pose. */
         ik(pose) {
-            all.set(pose, 6);
+            put(pose, 6, 12);
             const solution = (_, i) => {
                 const at = 36 + 7 * i;
                 return { q: Array.from(all.subarray(at, at + 6)), residual: all[at + 6] };

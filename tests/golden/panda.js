@@ -684,6 +684,12 @@ const $reaching = (arm, target, given, lanes) => {
 const $solve = (arm, target, seed, given) =>
     $reaching(arm, target, given, $branches(arm.form, target, seed, given));
 
+/* What of an array is no number, by its place and its type: of text, as pages have it, + makes text. */
+const $no_number = (values) => {
+    const place = Array.from(values).findIndex((x) => typeof x !== "number");
+    return place < 0 ? null : `${place} is ${values[place] === null ? null : typeof values[place]}`;
+};
+
 /* A robot whose functions take arrays of so many numbers alone: too few would be answered by NaN,
  * and a matrix of sixteen by another pose. By function, what its first arguments are. */
 const $counted = (robot, joints, functions) => {
@@ -705,6 +711,10 @@ const $counted = (robot, joints, functions) => {
                 const count = given[i]?.length ?? typeof given[i];
                 throw new TypeError(
                     `${name}: ${parameters[i]} is ${length} numbers, ${meaning}, and not ${count}`);
+            }
+            const other = $no_number(given[i]);
+            if (other !== null) {
+                throw new TypeError(`${name}: ${parameters[i]} is numbers, and entry ${other}`);
             }
         };
         if (answer) {
@@ -751,19 +761,24 @@ const $arm = (arm) => {
         return arm.joints.map(({ link }) => poses[link]);
     };
     arm.fk_frame = (q, frame) => {
+        if (!Number.isInteger(frame) || !(frame in arm.frames)) {
+            throw new TypeError(
+                `fk_frame: frame is the number of one of ${arm.frames.length} frames, and not ${frame}`);
+        }
         const { carrier, pose } = arm.frames[frame];
         return carrier === null ? Float64Array.from(pose) : $product(arm.link_poses(q)[carrier], pose);
     };
     arm.inside = (joint, value, seed = value) => $inside(arm, joint, value, seed);
-    /* The same configuration within limits, moved by full turns as near to a seed as they allow;
-     * null if it is not within. */
+    /* The same configuration within limits, moved by full turns as near to a seed as they allow, to 0
+     * where that is no finite number; null if it is not within. */
     arm.within_limits = (q, seed = q) => {
-        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], seed[i]));
+        const from = (i) => (Math.abs(seed[i]) < Infinity ? seed[i] : 0.0);
+        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], from(i)));
         return inside.includes(null) ? null : inside;
     };
     /* One configuration that nearly reaches a target, by Levenberg's method from another one;
      * it may arrive elsewhere than it was sent. */
-    arm.approach = (target, q, evaluations) => {
+    arm.approach = (target, q, evaluations = 100) => {
         const all = arm.joints.map((_, i) => i);
         const aim = form ?? arm.aim;
         const { projection } = aim;
@@ -772,16 +787,16 @@ const $arm = (arm) => {
         const projected = projection ? projection.target(target) : target;
         const linearize = (x) => $linearize(aim, projected, seen, x);
         const found = $correct(linearize, aim.size, q, evaluations);
-        return { q: found.q, residual: found.residual };
+        return { q: Array.from(found.q), residual: found.residual };
     };
     if (form) {
         /* The parameters beside a target as an array: of one its value will do. */
         const given = (parameters) => {
             const values = typeof parameters === "number" ? [parameters] : parameters;
             const { length } = form.parameters;
-            if (!values || values.length !== length) {
+            if (!values || values.length !== length || $no_number(values) !== null) {
                 const names = form.parameters.map(({ name }) => name).join(", ");
-                throw new TypeError(`a target takes ${length} parameters here: ${names}`);
+                throw new TypeError(`a target takes ${length} parameters here, numbers: ${names}`);
             }
             return values;
         };

@@ -157,7 +157,13 @@ export function with_lengths(robot, input) {
         said(() => robot.ik_seeded(pose, short)),
         said(() => robot.ik_nearest(pose)),
         said(() => robot.within_limits(q, short)),
+        said(() => robot.fk(q.map(String))),
+        said(() => robot.fk_jacobian([null, ...short])),
+        said(() => robot.ik(Array.from(pose).map(String))),
+        said(() => robot.fk_frame(q, 99)),
         said(() => robot.within_limits(q).length),
+        said(() => robot.within_limits(q, q.map(() => NaN)).length),
+        said(() => robot.approach(pose, q.map((x) => x + 0.1)).residual < 1e-9),
         said(() => robot.ik_nearest(Float64Array.from(pose), q).q.length),
     ].join("\n");
 }
@@ -171,6 +177,7 @@ export function mechanism_with_lengths(mechanism, input) {
         said(() => mechanism.platform([...q, 0])),
         said(() => mechanism.close(q, [0], 10)),
         said(() => mechanism.close(new Array(joints).fill(0.0), [0, joints], 10)),
+        said(() => mechanism.close(new Array(joints).fill(0.0), null, 10)),
         said(() => mechanism.ik(q)),
     ].join("\n");
 }
@@ -187,6 +194,7 @@ export function with_parameters(robot, input) {
         said(() => robot.ik_at(pose, [])),
         said(() => robot.ik_at(pose)),
         said(() => robot.why_none(pose, [own, own])),
+        said(() => robot.ik_at(pose, "6")),
         said(() => robot.ik_at(pose, [1e16]).length),
         said(() => robot.why_none(pose, [1e16])),
         said(() => robot.ik_nearest_at(pose, own, far) !== null),

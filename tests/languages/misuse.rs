@@ -70,8 +70,17 @@ fn a_target_next_to_singular_ones_has_solutions_in_javascript() {
 fn parameters_that_are_too_many_or_too_few_are_told_in_javascript() {
     let panda = javascript("robots/panda.yaml");
     let said = panda.call("with_parameters", "0.3 0.5 -0.2 -1.8 0.4 1.9 0.6");
-    let refused = "TypeError: a target takes 1 parameters here: joint7";
-    let expected = ["true", refused, refused, refused, "0", "not finite", "true"];
+    let refused = "TypeError: a target takes 1 parameters here, numbers: joint7";
+    let expected = [
+        "true",
+        refused,
+        refused,
+        refused,
+        refused,
+        "0",
+        "not finite",
+        "true",
+    ];
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
 }
 
@@ -97,7 +106,13 @@ fn arrays_that_are_too_long_or_too_short_are_told_in_javascript() {
         joints("ik_seeded", "seed", 6, "5"),
         joints("ik_nearest", "seed", 6, "undefined"),
         joints("within_limits", "seed", 6, "5"),
+        "TypeError: fk: q is numbers, and entry 0 is string".to_owned(),
+        "TypeError: fk_jacobian: q is numbers, and entry 0 is null".to_owned(),
+        "TypeError: ik: pose is numbers, and entry 0 is string".to_owned(),
+        "TypeError: fk_frame: frame is the number of one of 1 frames, and not 99".to_owned(),
         "6".to_owned(),
+        "6".to_owned(),
+        "true".to_owned(),
         "6".to_owned(),
     ];
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
@@ -109,6 +124,7 @@ fn arrays_that_are_too_long_or_too_short_are_told_in_javascript() {
         joints("platform", "q", 15, "4"),
         joints("close", "q", 15, "3"),
         "TypeError: close: resting is joints from 0 to 14, and 15 is none".to_owned(),
+        "TypeError: close: resting is an array of joints, and not null".to_owned(),
         pose("ik", "3"),
     ];
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);

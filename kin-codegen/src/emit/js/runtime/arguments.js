@@ -1,3 +1,9 @@
+/* What of an array is no number, by its place and its type: of text, as pages have it, + makes text. */
+const $no_number = (values) => {
+    const place = Array.from(values).findIndex((x) => typeof x !== "number");
+    return place < 0 ? null : `${place} is ${values[place] === null ? null : typeof values[place]}`;
+};
+
 /* A robot whose functions take arrays of so many numbers alone: too few would be answered by NaN,
  * and a matrix of sixteen by another pose. By function, what its first arguments are. */
 const $counted = (robot, joints, functions) => {
@@ -19,6 +25,10 @@ const $counted = (robot, joints, functions) => {
                 const count = given[i]?.length ?? typeof given[i];
                 throw new TypeError(
                     `${name}: ${parameters[i]} is ${length} numbers, ${meaning}, and not ${count}`);
+            }
+            const other = $no_number(given[i]);
+            if (other !== null) {
+                throw new TypeError(`${name}: ${parameters[i]} is numbers, and entry ${other}`);
             }
         };
         if (answer) {

@@ -32,19 +32,24 @@ const $arm = (arm) => {
         return arm.joints.map(({ link }) => poses[link]);
     };
     arm.fk_frame = (q, frame) => {
+        if (!Number.isInteger(frame) || !(frame in arm.frames)) {
+            throw new TypeError(
+                `fk_frame: frame is the number of one of ${arm.frames.length} frames, and not ${frame}`);
+        }
         const { carrier, pose } = arm.frames[frame];
         return carrier === null ? Float64Array.from(pose) : $product(arm.link_poses(q)[carrier], pose);
     };
     arm.inside = (joint, value, seed = value) => $inside(arm, joint, value, seed);
-    /* The same configuration within limits, moved by full turns as near to a seed as they allow;
-     * null if it is not within. */
+    /* The same configuration within limits, moved by full turns as near to a seed as they allow, to 0
+     * where that is no finite number; null if it is not within. */
     arm.within_limits = (q, seed = q) => {
-        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], seed[i]));
+        const from = (i) => (Math.abs(seed[i]) < Infinity ? seed[i] : 0.0);
+        const inside = arm.joints.map((_, i) => arm.inside(i, q[i], from(i)));
         return inside.includes(null) ? null : inside;
     };
     /* One configuration that nearly reaches a target, by Levenberg's method from another one;
      * it may arrive elsewhere than it was sent. */
-    arm.approach = (target, q, evaluations) => {
+    arm.approach = (target, q, evaluations = 100) => {
         const all = arm.joints.map((_, i) => i);
         const aim = form ?? arm.aim;
         const { projection } = aim;
@@ -53,16 +58,16 @@ const $arm = (arm) => {
         const projected = projection ? projection.target(target) : target;
         const linearize = (x) => $linearize(aim, projected, seen, x);
         const found = $correct(linearize, aim.size, q, evaluations);
-        return { q: found.q, residual: found.residual };
+        return { q: Array.from(found.q), residual: found.residual };
     };
     if (form) {
         /* The parameters beside a target as an array: of one its value will do. */
         const given = (parameters) => {
             const values = typeof parameters === "number" ? [parameters] : parameters;
             const { length } = form.parameters;
-            if (!values || values.length !== length) {
+            if (!values || values.length !== length || $no_number(values) !== null) {
                 const names = form.parameters.map(({ name }) => name).join(", ");
-                throw new TypeError(`a target takes ${length} parameters here: ${names}`);
+                throw new TypeError(`a target takes ${length} parameters here, numbers: ${names}`);
             }
             return values;
         };

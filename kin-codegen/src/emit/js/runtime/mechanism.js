@@ -83,6 +83,9 @@ const $mechanism = (mechanism) => {
     /* A closed configuration next to one, with some joints at rest, by so many evaluations of
      * Levenberg's method at most. */
     mechanism.close = (q, resting = [], evaluations = 40) => {
+        if (!Array.isArray(resting)) {
+            throw new TypeError(`close: resting is an array of joints, and not ${resting}`);
+        }
         const unknown = resting.find((i) => !(i in q));
         if (unknown !== undefined) {
             throw new TypeError(
