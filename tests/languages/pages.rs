@@ -4,6 +4,7 @@ use crate::js::{JsRobot, NAMES, is_no_markup, named};
 use crate::read;
 use kin_cli::view::page;
 use kin_codegen::{Compiled, Ik, Options, compile};
+use kinematics::Target;
 
 /// Where the scripts that need a page begin.
 const PAGE: &str = "// The page: what is shown";
@@ -163,6 +164,38 @@ fn a_short_arm_takes_its_target_along() {
     };
     assert!(off < 1e-9 && height < 1e-9 && reached == 1.0, "{said}");
     assert!(moved > 0.02, "{said}");
+}
+
+/// What stands in the page's place moves the target twice as far as the arm is long, and says what is told
+/// of it before and behind.
+const OUT_OF_REACH: &str = "
+globalThis.matchMedia = () => ({ matches: false });
+const subject = new ArmView(robot, view);
+export default { ask() {
+    const before = subject.reach()[0];
+    const moved = subject.target.slice();
+    moved[3] += 2 * view.size;
+    subject.setTarget(moved);
+    return [[before, subject.reach()[0]].join('|')];
+} };
+";
+
+#[test]
+fn an_arm_with_joints_enough_for_what_counts_is_out_of_reach() {
+    for (path, target) in [
+        ("robots/scara.yaml", Target::PositionYaw),
+        ("robots/planar_3r.yaml", Target::Planar),
+    ] {
+        let options = Options {
+            target: Some(target),
+            ..Options::default()
+        };
+        let (page, _) = page(&read(path), &options).unwrap();
+        let (before, _) = script(&page).split_once(PAGE).unwrap();
+        let before = before.replace("export default robot;", "");
+        let said = JsRobot::new(&format!("{before}{OUT_OF_REACH}")).call("ask_of", "");
+        assert_eq!(said, "|No solution: out of reach.", "{path}");
+    }
 }
 
 /// What stands in the page's place turns the first joint by more than half a turn, and says how far

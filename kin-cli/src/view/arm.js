@@ -3,28 +3,20 @@
 const PRIMES = [2, 3, 5, 7, 11, 13, 17, 19];
 
 class ArmView {
-    constructor(arm, { chains, why, size }) {
+    constructor(arm, { chains, why, size, coordinates }) {
         this.arm = arm;
         this.chain = chains[0];
         this.size = size;
         this.form = arm.form;
         this.why = why;
         this.joints = arm.joints;
-        this.counts = arm.form ?? arm.aim;
-        this.canTurn = this.counts.counts_rotation || !arm.form;
-        this.isShort = arm.form !== null && arm.form !== undefined && arm.joints.length < this.coordinates();
+        this.canTurn = !arm.form || arm.form.counts_rotation;
+        this.isShort = arm.form !== null && arm.form !== undefined && arm.joints.length < coordinates;
         this.canMove = true;
         this.q = arm.joints.map((joint, i) => this.pleasant(joint, i));
         this.parameters = [];
         this.reached = true;
         this.settle();
-    }
-
-    /** How many coordinates of a target count. */
-    coordinates() {
-        const { projected, counts_translation, counts_rotation, counts_axis } = this.counts;
-        const ofRotation = counts_axis ? 2 : 3;
-        return projected ? 3 : (counts_translation ? 3 : 0) + (counts_rotation ? ofRotation : 0);
     }
 
     /** A value to begin with: away from home, where many arms are singular, and within limits. */
@@ -203,7 +195,7 @@ class ArmView {
                 : ["Not reached by Newton's method from the present configuration.", "bad"];
         }
         if (this.isShort) {
-            return [`${this.joints.length} joints do not reach all poses: the target follows the arm. `
+            return ["The arm has too few joints to reach all targets: the target follows it. "
                 + "`kin view --target` takes targets of which less counts.", ""];
         }
         if (this.reached) {

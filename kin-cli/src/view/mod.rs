@@ -100,11 +100,15 @@ fn lines(text: &str) -> String {
 
 /// What is drawn, as a definition in JavaScript.
 fn shown(robot: &Compiled, why: Option<String>) -> String {
-    let (models, length) = match robot {
-        Compiled::Arm(arm) => (vec![&arm.model], size(&arm.model)),
+    let (models, length, coordinates) = match robot {
+        Compiled::Arm(arm) => {
+            let coordinates = arm.target().coordinates();
+            (vec![&arm.model], size(&arm.model), Some(coordinates))
+        }
         Compiled::Mechanism(compiled) => (
             compiled.legs.iter().map(|leg| &leg.model).collect(),
             compiled.mechanism.generic().length(),
+            None,
         ),
     };
     let chains: Vec<Skeleton> = models.iter().map(|model| Skeleton::new(model)).collect();
@@ -112,6 +116,8 @@ fn shown(robot: &Compiled, why: Option<String>) -> String {
         "size": length,
         "chains": chains,
         "why": why,
+        // How many of a target count, where it is of an arm.
+        "coordinates": coordinates,
     });
     format!("const view = {};\n", escaped(&view.to_string()))
 }

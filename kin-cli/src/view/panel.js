@@ -56,10 +56,11 @@ const slider = (joint, [lower, upper], changed) => {
     return { row, show };
 };
 
-/** Where a slider ends: the limits, or a turn, or twice the robot's size where there are none. */
+/** Where a slider ends: the limits, or a turn, or twice the robot's size where there are none, or none that a
+ * slider gets near. */
 const travel = (joint, size) => {
     const free = joint.turns ? Math.PI : 2 * size;
-    const at = (x, otherwise) => (Number.isFinite(x) ? x : otherwise);
+    const at = (x, otherwise) => (Math.abs(x) < 1e6 ? x : otherwise);
     return [at(joint.lower, -free), at(joint.upper, free)];
 };
 
