@@ -6,8 +6,8 @@
 // Forward kinematics: 44 multiplications, 24 additions, 6 sines with cosines.
 // With the spatial Jacobian: 79 multiplications, 42 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6), 8 branches; one
-// branch: 161 multiplications, 114 additions, 3 divisions, 6 roots, 3 sines with
-// cosines, 6 arctangents, 36 selections.
+// branch: 164 multiplications, 115 additions, 4 divisions, 6 roots, 3 sines with
+// cosines, 6 arctangents, 40 selections.
 // Made again, beside the robot file, by: kin generate kr6_r900.yaml
 
 #[cfg_attr(rustfmt, rustfmt_skip)]
@@ -66,7 +66,7 @@ mod __Kr6R900 {
     /// 4. q4 and q5 by SP2, given q1 and q2+q3: turn a vector onto another about two axes
     /// 5. q6 by SP1, given q1, q4 and q2+q3: turn a vector onto another
     ///
-    /// 8 branches. Verified on 684 configurations: all recovered, 5078 solutions, the worst 5.5e-13 m from its target.
+    /// 8 branches. Verified on 720 configurations: all recovered, 5202 solutions, the worst 5.5e-13 m from its target.
     ///
     /// # Branches
     ///
@@ -863,7 +863,7 @@ mod __Kr6R900 {
             let t7 = -t1;
             aligned!(
                 t9_, t10_, t11_, t12_, t13_, t14_, t15_, t18_, t19_, t20_, t21_, t22_,
-                t30_ = [0.0; T]
+                t23_, t31_ = [0.0; T]
             );
             for t in 0..T {
                 // 1. q1 by SP4 (what all branches share)
@@ -886,33 +886,34 @@ mod __Kr6R900 {
                 let t21 = 1.0 / t13;
                 // 2. q3 by SP3, given q1 (what all branches share)
                 let t22 = t11 * t11;
+                let t23 = -(0.97066174864714 * t13);
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t23 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                let t24 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
                     - 1.0;
-                let t24 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                let t25 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
                     - 1.0;
-                let t25 = A::fma(
+                let t26 = A::fma(
                     r31[t],
                     r32[t],
                     A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t26 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t27 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t28 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t29 = A::fma(
-                    t27,
-                    t27,
+                let t27 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t28 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t29 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t30 = A::fma(
+                    t28,
+                    t28,
                     A::fma(
-                        t26,
-                        t26,
-                        A::fma(0.25, A::fma(t23, t23, t24 * t24), t25 * t25),
+                        t27,
+                        t27,
+                        A::fma(0.25, A::fma(t24, t24, t25 * t25), t26 * t26),
                     ),
                 );
-                let t30 = A::fma(
+                let t31 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.0302250000000002 * A::fma(t28, t28, t29),
+                    1.0302250000000002 * A::fma(t29, t29, t30),
                 );
                 t9_[t] = t9;
                 t10_[t] = t10;
@@ -926,194 +927,205 @@ mod __Kr6R900 {
                 t20_[t] = t20;
                 t21_[t] = t21;
                 t22_[t] = t22;
-                t30_[t] = t30;
+                t23_[t] = t23;
+                t31_[t] = t31;
             }
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             aligned!(
-                t39_, singular_, t60_, residual_, q1_, q2_, q3_, t104_, t105_, t106_,
-                t107_, t108_ = [[0.0; T]; 4]
+                t41_, t64_, singular_, residual_, q1_, q2_, q3_, t108_, t109_, t110_,
+                t111_, t112_ = [[0.0; T]; 4]
             );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t31 = -e1[k];
-                    let t32 = e1[k] * t15_[t];
+                    let t32 = -e1[k];
+                    let t33 = e1[k] * t15_[t];
                     let s1 = math::select(
                         t13_[t] < 1.0302250000000003e-22,
                         t7,
-                        A::fma(t10_[t], t32, t19_[t]) * t21_[t],
+                        A::fma(t10_[t], t33, t19_[t]) * t21_[t],
                     );
                     let c1 = math::select(
                         t13_[t] < 1.0302250000000003e-22,
                         t4,
-                        A::fma(-t12_[t], t32, t18_[t]) * t21_[t],
+                        A::fma(-t12_[t], t33, t18_[t]) * t21_[t],
                     );
                     // 2. q3 by SP3, given q1
-                    let t33 = A::fma(t9_[t], c1, t10_[t] * s1);
-                    let t34 = 0.025 - t33;
-                    let t35 = A::fma(t9_[t], s1, -(t10_[t] * c1));
-                    let t36 = 0.5 * (t22_[t] + A::fma(t34, t34, t35 * t35));
-                    let t37 = 0.192325 - t36;
-                    let t38 = A::fma(-t37, t37, 0.036772815625);
-                    let t39 = math::max(
-                        math::max(
-                            math::select(t13_[t] < t14_[t], t31, 0.0),
-                            math::select(t13_[t] < 1.0302250000000003e-22, t31, 0.0),
-                        ),
-                        math::select(t38 < 3.6772815625e-15, -e2[k], 0.0),
-                    );
-                    let t40 = e2[k]
-                        * math::sqrt(math::select(t38 < 3.6772815625e-15, 0.0, t38));
+                    let t34 = A::fma(t9_[t], c1, t10_[t] * s1);
+                    let t35 = 0.025 - t34;
+                    let t36 = A::fma(t9_[t], s1, -(t10_[t] * c1));
+                    let t37 = 0.5 * (t22_[t] + A::fma(t35, t35, t36 * t36));
+                    let t38 = 0.192325 - t37;
+                    let t39 = A::fma(-t38, t38, 0.036772815625);
+                    let t40 = math::max(t23_[t], -(0.9421842302867237 * t39));
                     let t41 = math::max(
-                        -0.1917623936672673,
-                        -math::max(-0.1917623936672673, t36 - 0.192325),
-                    );
-                    let t42 = A::fma(0.1911, t40, 0.015925000000000016 * t41);
-                    let t43 = A::fma(0.015925000000000016, t40, -(0.1911 * t41));
-                    let t44 = 27.194001411198713 * t42;
-                    let s3 = -t44;
-                    let c3 = 27.194001411198713 * t43;
-                    // 3. q2 by SP1, given q1 and q3
-                    let t45 = t33 - 0.025;
-                    let t46 = A::fma(0.9517900493919558, t43, 11.421480592703459 * t42);
-                    let t47 = A::fma(
-                        11.421480592703459,
-                        t43,
-                        -(0.9517900493919558 * t42),
-                    ) + 0.455;
-                    let t48 = math::sqrt(
-                        A::fma(t45, t45, t22_[t]) * A::fma(t46, t46, t47 * t47),
-                    );
-                    let t49 = math::max(
                         math::max(
-                            t20_[t],
-                            math::select(t38 < 3.6772815625e-15, 1.0, 0.0),
+                            math::select(t13_[t] < t14_[t], t32, 0.0),
+                            math::select(t13_[t] < 1.0302250000000003e-22, t32, 0.0),
                         ),
-                        math::select(t48 < 1.0302250000000003e-22, 1.0, 0.0),
+                        math::select(t39 < 3.6772815625e-15, -e2[k], 0.0),
                     );
-                    let t50 = 1.0 / t48;
+                    let t42 = e2[k]
+                        * math::sqrt(math::select(t39 < 3.6772815625e-15, 0.0, t39));
+                    let t43 = math::max(
+                        -0.1917623936672673,
+                        -math::max(-0.1917623936672673, t37 - 0.192325),
+                    );
+                    let t44 = A::fma(0.1911, t42, 0.015925000000000016 * t43);
+                    let t45 = A::fma(0.015925000000000016, t42, -(0.1911 * t43));
+                    let t46 = 27.194001411198713 * t44;
+                    let s3 = -t46;
+                    let c3 = 27.194001411198713 * t45;
+                    // 3. q2 by SP1, given q1 and q3
+                    let t47 = math::select(
+                        -t40 < 1e-13,
+                        1e-13,
+                        1e-22 - 1.262177448353619e-29 / t40,
+                    );
+                    let t48 = t34 - 0.025;
+                    let t49 = A::fma(0.9517900493919558, t45, 11.421480592703459 * t44);
+                    let t50 = A::fma(
+                        11.421480592703459,
+                        t45,
+                        -(0.9517900493919558 * t44),
+                    ) + 0.455;
+                    let t51 = math::sqrt(
+                        A::fma(t48, t48, t22_[t]) * A::fma(t49, t49, t50 * t50),
+                    );
+                    let t52 = 1.0302250000000002 * t47;
+                    let t53 = 1.0 / t51;
                     let s2 = math::select(
-                        t48 < 1.0302250000000003e-22,
+                        t51 < t52,
                         t2,
-                        A::fma(t45, t46, -(t11_[t] * t47)) * t50,
+                        A::fma(t48, t49, -(t11_[t] * t50)) * t53,
                     );
                     let c2 = math::select(
-                        t48 < 1.0302250000000003e-22,
+                        t51 < t52,
                         t5,
-                        A::fma(t11_[t], t46, t45 * t47) * t50,
+                        A::fma(t11_[t], t49, t48 * t50) * t53,
                     );
                     // 4. q4 and q5 by SP2, given q1 and q2+q3 (what several branches
                     // share)
-                    let t51 = A::fma(r13[t], c1, r23[t] * s1);
-                    let t52 = A::fma(r13[t], s1, -(r23[t] * c1));
-                    let t53 = c3 * s2;
-                    let t54 = t44 * c2;
-                    let t55 = t53 - t54;
-                    let t56 = A::fma(c3, c2, t44 * s2);
-                    let t57 = t54 - t53;
-                    let c5 = A::fma(r33[t], t57, t51 * t56);
-                    let t58 = A::fma(r33[t], t56, -(t51 * t57));
-                    let t59 = A::fma(t58, t58, t52 * t52);
-                    let singular = math::max(t49, math::select(t59 < 1e-13, 1.0, 0.0));
-                    let t60 = math::select(t59 < 1e-22, -1.0, 0.0);
-                    let t61 = math::sqrt(math::select(t59 < 1e-22, 0.0, t59));
-                    let t62 = 1.0 / t59;
-                    let t63 = math::select(t59 < 1e-22, t3, t52 * t61 * t62);
-                    let t64 = math::select(t59 < 1e-22, t6, -(t58 * t61 * t62));
+                    let t54 = A::fma(r13[t], c1, r23[t] * s1);
+                    let t55 = A::fma(r13[t], s1, -(r23[t] * c1));
+                    let t56 = c3 * s2;
+                    let t57 = t46 * c2;
+                    let t58 = t56 - t57;
+                    let t59 = A::fma(c3, c2, t46 * s2);
+                    let t60 = t57 - t56;
+                    let c5 = A::fma(r33[t], t60, t54 * t59);
+                    let t61 = A::fma(r33[t], t59, -(t54 * t60));
+                    let t62 = A::fma(t61, t61, t55 * t55);
+                    let t63 = math::max(
+                        math::max(
+                            math::max(
+                                t20_[t],
+                                math::select(t39 < 3.6772815625e-15, 1.0, 0.0),
+                            ),
+                            math::select(t51 < t52, 1.0, 0.0),
+                        ),
+                        math::select(t62 < 1e-13, 1.0, 0.0),
+                    );
+                    let t64 = math::select(t62 < t47, -1.0, 0.0);
+                    let t65 = math::sqrt(math::select(t62 < t47, 0.0, t62));
+                    let singular = math::max(t63, math::select(t62 < t47, 1.0, 0.0));
+                    let t66 = 1.0 / t62;
+                    let t67 = math::select(t62 < t47, t3, t55 * t65 * t66);
+                    let t68 = math::select(t62 < t47, t6, -(t61 * t65 * t66));
                     // 5. q6 by SP1, given q1, q4 and q2+q3
-                    let t65 = t56 * t63;
-                    let t66 = t55 * t63;
-                    let t67 = A::fma(c1, t66, s1 * t64);
-                    let t68 = A::fma(c1, t64, -(s1 * t66));
-                    let t69 = A::fma(-r32[t], t65, A::fma(r22[t], t68, -(r12[t] * t67)));
-                    let t70 = A::fma(r31[t], t65, -A::fma(r21[t], t68, -(r11[t] * t67)));
+                    let t69 = t59 * t67;
+                    let t70 = t58 * t67;
+                    let t71 = A::fma(c1, t70, s1 * t68);
+                    let t72 = A::fma(c1, t68, -(s1 * t70));
+                    let t73 = A::fma(-r32[t], t69, A::fma(r22[t], t72, -(r12[t] * t71)));
+                    let t74 = A::fma(r31[t], t69, -A::fma(r21[t], t72, -(r11[t] * t71)));
                     // Residual: forward kinematics against the target
-                    let t71 = c5 * t70;
-                    let t72 = t61 * t70;
-                    let t73 = A::fma(t64, t69, -(t63 * t71));
-                    let t74 = A::fma(t63, t69, t64 * t71);
-                    let t75 = A::fma(t55, t72, -(t56 * t74));
-                    let t76 = A::fma(t55, t74, t56 * t72);
-                    let t77 = A::fma(c1, t76, s1 * t73);
-                    let t78 = A::fma(c1, t73, -(s1 * t76));
-                    let t79 = t61 * t64;
-                    let t80 = t61 * t63;
-                    let t81 = A::fma(t56, t79, t55 * c5);
-                    let t82 = A::fma(t56, c5, -(t55 * t79));
-                    let t83 = A::fma(c1, t82, s1 * t80);
-                    let t84 = A::fma(s1, t82, -(c1 * t80));
-                    let t85 = 0.08 * t61;
-                    let t86 = t63 * t85;
-                    let t87 = A::fma(-t64, t85, 0.035);
-                    let t88 = A::fma(0.08, c5, 0.42);
-                    let t89 = A::fma(0.455, c2, A::fma(t55, t87, t56 * t88)) + 0.025;
-                    let t90 = A::fma(c1, t89, s1 * t86) - px[t];
-                    let t91 = A::fma(s1, t89, -(c1 * t86)) - py[t];
-                    let t92 = A::fma(-0.455, s2, A::fma(t56, t87, -(t55 * t88))) + 0.4
+                    let t75 = c5 * t74;
+                    let t76 = t65 * t74;
+                    let t77 = A::fma(t68, t73, -(t67 * t75));
+                    let t78 = A::fma(t67, t73, t68 * t75);
+                    let t79 = A::fma(t58, t76, -(t59 * t78));
+                    let t80 = A::fma(t58, t78, t59 * t76);
+                    let t81 = A::fma(c1, t80, s1 * t77);
+                    let t82 = A::fma(c1, t77, -(s1 * t80));
+                    let t83 = t65 * t68;
+                    let t84 = t65 * t67;
+                    let t85 = A::fma(t59, t83, t58 * c5);
+                    let t86 = A::fma(t59, c5, -(t58 * t83));
+                    let t87 = A::fma(c1, t86, s1 * t84);
+                    let t88 = A::fma(s1, t86, -(c1 * t84));
+                    let t89 = 0.08 * t65;
+                    let t90 = t67 * t89;
+                    let t91 = A::fma(-t68, t89, 0.035);
+                    let t92 = A::fma(0.08, c5, 0.42);
+                    let t93 = A::fma(0.455, c2, A::fma(t58, t91, t59 * t92)) + 0.025;
+                    let t94 = A::fma(c1, t93, s1 * t90) - px[t];
+                    let t95 = A::fma(s1, t93, -(c1 * t90)) - py[t];
+                    let t96 = A::fma(-0.455, s2, A::fma(t59, t91, -(t58 * t92))) + 0.4
                         - pz[t];
-                    let t93 = r11[t] + A::fma(t78, t81, t75 * t84);
-                    let t94 = r12[t] + t77;
-                    let t95 = t83 - r13[t];
-                    let t96 = A::fma(t75, t83, -(t77 * t81)) - r21[t];
-                    let t97 = t78 - r22[t];
-                    let t98 = t84 - r23[t];
-                    let t99 = A::fma(
-                        t98,
-                        t98,
+                    let t97 = r11[t] + A::fma(t82, t85, t79 * t88);
+                    let t98 = r12[t] + t81;
+                    let t99 = t87 - r13[t];
+                    let t100 = A::fma(t79, t87, -(t81 * t85)) - r21[t];
+                    let t101 = t82 - r22[t];
+                    let t102 = t88 - r23[t];
+                    let t103 = A::fma(
+                        t102,
+                        t102,
                         A::fma(
-                            t97,
-                            t97,
+                            t101,
+                            t101,
                             A::fma(
-                                t96,
-                                t96,
-                                A::fma(t95, t95, A::fma(t93, t93, t94 * t94)),
+                                t100,
+                                t100,
+                                A::fma(t99, t99, A::fma(t97, t97, t98 * t98)),
                             ),
                         ),
                     );
-                    let t100 = r31[t] + A::fma(t77, t84, t78 * t83);
-                    let t101 = t75 - r32[t];
-                    let t102 = r33[t] + t81;
-                    let t103 = A::fma(
+                    let t104 = r31[t] + A::fma(t81, t88, t82 * t87);
+                    let t105 = t79 - r32[t];
+                    let t106 = r33[t] + t85;
+                    let t107 = A::fma(
                         0.5151125000000001,
-                        A::fma(t102, t102, A::fma(t101, t101, A::fma(t100, t100, t99))),
-                        t30_[t] + A::fma(t92, t92, A::fma(t90, t90, t91 * t91)),
+                        A::fma(t106, t106, A::fma(t105, t105, A::fma(t104, t104, t103))),
+                        t31_[t] + A::fma(t96, t96, A::fma(t94, t94, t95 * t95)),
                     );
-                    let residual = math::sqrt(t103);
+                    let residual = math::sqrt(t107);
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(-s1, c1);
                     let q2 = A::angle(s2, c2);
                     let q3 = A::angle(s3, c3);
-                    let t104 = A::angle(t63, t64);
-                    let t105 = math::select(
-                        t104 < 0.0,
+                    let t108 = A::angle(t67, t68);
+                    let t109 = math::select(
+                        t108 < 0.0,
                         -3.141592653589793, 3.141592653589793,
-                    ) - t104;
-                    let t106 = A::angle(t61, c5);
-                    let t107 = A::angle(t70, t69);
-                    let t108 = math::select(
-                        t107 < 0.0,
+                    ) - t108;
+                    let t110 = A::angle(t65, c5);
+                    let t111 = A::angle(t74, t73);
+                    let t112 = math::select(
+                        t111 < 0.0,
                         -3.141592653589793, 3.141592653589793,
-                    ) - t107;
-                    t39_[k][t] = t39;
+                    ) - t111;
+                    t41_[k][t] = t41;
+                    t64_[k][t] = t64;
                     singular_[k][t] = singular;
-                    t60_[k][t] = t60;
                     residual_[k][t] = residual;
                     q1_[k][t] = q1;
                     q2_[k][t] = q2;
                     q3_[k][t] = q3;
-                    t104_[k][t] = t104;
-                    t105_[k][t] = t105;
-                    t106_[k][t] = t106;
-                    t107_[k][t] = t107;
                     t108_[k][t] = t108;
+                    t109_[k][t] = t109;
+                    t110_[k][t] = t110;
+                    t111_[k][t] = t111;
+                    t112_[k][t] = t112;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             widen!(
-                t39_, singular_, t60_, residual_, q1_, q2_, q3_, t104_, t105_, t106_,
-                t107_, t108_ from 4 to 8 of T
+                t41_, t64_, singular_, residual_, q1_, q2_, q3_, t108_, t109_, t110_,
+                t111_, t112_ from 4 to 8 of T
             );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
@@ -1121,27 +1133,27 @@ mod __Kr6R900 {
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q4 and q5 by SP2, given q1 and q2+q3
-                    let invalid = math::max(t39_[k][t], e3[k] * t60_[k][t]);
+                    let invalid = math::max(t41_[k][t], e3[k] * t64_[k][t]);
                     // Joint values: angles from sines and cosines, in (−π, π]
-                    let t109 = e3[k]
-                        * math::select(e3[k] < 0.0, t105_[k][t], t104_[k][t]);
+                    let t113 = e3[k]
+                        * math::select(e3[k] < 0.0, t109_[k][t], t108_[k][t]);
                     let q4 = math::select(
-                        -3.141592653589793 < t109,
-                        t109,
-                        t109 + 6.283185307179586,
+                        -3.141592653589793 < t113,
+                        t113,
+                        t113 + 6.283185307179586,
                     );
-                    let t110 = e3[k] * t106_[k][t];
+                    let t114 = e3[k] * t110_[k][t];
                     let q5 = math::select(
-                        -3.141592653589793 < t110,
-                        t110,
-                        t110 + 6.283185307179586,
+                        -3.141592653589793 < t114,
+                        t114,
+                        t114 + 6.283185307179586,
                     );
-                    let t111 = e3[k]
-                        * math::select(e3[k] < 0.0, t108_[k][t], t107_[k][t]);
+                    let t115 = e3[k]
+                        * math::select(e3[k] < 0.0, t112_[k][t], t111_[k][t]);
                     let q6 = math::select(
-                        -3.141592653589793 < t111,
-                        t111,
-                        t111 + 6.283185307179586,
+                        -3.141592653589793 < t115,
+                        t115,
+                        t115 + 6.283185307179586,
                     );
                     invalid_[k][t] = invalid;
                     q4_[k][t] = q4;

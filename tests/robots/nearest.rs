@@ -300,3 +300,37 @@ fn at_rest_where_axes_line_up_twice_no_joint_jumps() {
         is_held(&robot, file, home, 100);
     }
 }
+
+/// An elbow next to where it is stretched is known to rounding over how far it is off, and where its two
+/// branches are taken for one to the root of rounding: what that leaves of a straight wrist tells no
+/// angle of joints 4 and 6.
+#[test]
+fn a_straight_wrist_rests_while_the_elbow_is_nearly_stretched() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut random = Random::new(31);
+    for (file, stretched) in [
+        ("robots/tx60.yaml", 0.0),
+        ("robots/puma560.yaml", 1.617_633_439_908_15),
+        ("robots/irb6640.yaml", -1.397_497_581_786_31),
+    ] {
+        let robot = Robot::from_yaml(folder.join(file)).unwrap();
+        for k in 0..1300 {
+            let off = 10_f64.powi(-1 - k % 13) * random.between(1.0, 2.0);
+            let side = [1.0, -1.0][random.below(2)];
+            let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-1.0, 1.0));
+            q[2] = stretched + side * off;
+            q[4] = [0.0, 1e-12, -1e-13][k as usize % 3];
+            let inside = q.iter().zip(robot.limits());
+            if !inside
+                .clone()
+                .all(|(q, it)| (it.lower()..it.upper()).contains(q))
+            {
+                continue;
+            }
+            let nearest = robot.ik_nearest(&robot.fk(&q), &q).unwrap();
+            let moved = nearest.q.iter().zip(&q).map(|(a, b)| (a - b).abs());
+            let moved = moved.fold(0.0, f64::max);
+            assert!(moved < 1e-8, "{file}: {moved} from {q:?}");
+        }
+    }
+}

@@ -115,11 +115,14 @@ where
     let anywhere = [single::JointLimit::Continuous; 6];
     let mut asked = 0;
     for (k, mut q) in configurations::<6>().enumerate() {
-        // The elbow, next to where it is stretched, is not told to where the wrist is straight.
+        // The elbow, next to where it is stretched, is not told to where the wrist is straight, and
+        // what makes up for that moves the others.
         q[4] = 1.0;
-        if subject.conditioning(&q) < 0.02 {
-            continue;
-        }
+        let most = match subject.conditioning(&q) {
+            ..2e-3 => continue,
+            ..2e-2 => 2e-2,
+            _ => 2e-3,
+        };
         asked += 1;
         q[4] = [0.0, 1e-7, -1e-6, 2e-6][k % 4];
         let seed = q.map(|x| x as f32);
@@ -128,7 +131,7 @@ where
         let solutions = subject.single.ik_seeded(&target, &seed);
         let rest = solutions.nearest_by(&nearest).unwrap();
         let moved = rest.q.iter().zip(seed).map(|(a, b)| (a - b).abs());
-        assert!(moved.fold(0.0, f32::max) < 2e-3, "{q:?} {rest:?}");
+        assert!(moved.fold(0.0, f32::max) < most, "{q:?} {rest:?}");
     }
     assert!(asked > 500, "{asked}");
 }

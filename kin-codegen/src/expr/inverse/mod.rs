@@ -138,6 +138,9 @@ struct BranchStatus {
     singular: Expr,
     /// See [`InverseGraph::margin`].
     margin: Option<Expr>,
+    /// The same of the roots of differences alone, whose digits rounding takes; none on an idealized
+    /// arm, whose branches are refined.
+    difference: Option<Expr>,
     /// The product of the discriminants of quartics.
     meetings: Option<Expr>,
     /// See [`InverseGraph::arguments`].
@@ -180,6 +183,9 @@ struct Level {
     discriminant: Expr,
 }
 
+/// Units of rounding that an angle is off, where its root is not nearly double.
+const ROUNDED: f64 = 16.0;
+
 impl<'a> Writer<'a> {
     fn new(linkage: &'a Linkage, target: Target, shift: TipShift) -> Self {
         let mut g = Graph::new();
@@ -220,6 +226,7 @@ impl<'a> Writer<'a> {
                 invalid: zero,
                 singular: zero,
                 margin: None,
+                difference: None,
                 meetings: None,
                 arguments: Some(Vec::new()),
                 watched: Vec::new(),
@@ -404,6 +411,31 @@ impl<'a> Writer<'a> {
         self.g.max(given, least)
     }
 
+    /// The threshold where an earlier root of a difference is nearly double, and its angle known to
+    /// rounding over the root, or, if it is taken for double, to the root of its noise: what follows
+    /// from it is off by as much, and a shorter vector tells no angle. The tip misses the target by as
+    /// much, whatever the angle, which a correction makes up for: where all joints are there for it.
+    fn as_told_by_roots(&mut self, free: Expr) -> Expr {
+        let Linkage {
+            links,
+            locked,
+            swivel,
+            coupling,
+            ..
+        } = self.linkage;
+        let all_move = locked.is_empty() && swivel.is_none() && coupling.is_none();
+        let is_whole = self.target == Target::Pose && !self.linkage.has_free_turn;
+        let is_corrected = links.len() == 6 && all_move && is_whole;
+        let Some(difference) = self.branch.difference.filter(|_| is_corrected) else {
+            return free;
+        };
+        let rounding = (ROUNDED * self.tolerances.epsilon).powi(2);
+        let [rounding, noise] = [rounding, self.tolerances.noise].map(|it| self.g.constant(it));
+        let off = self.g.div(rounding, difference);
+        let off = self.g.add(free, off);
+        self.g.select_less(difference, noise, noise, off)
+    }
+
     /// All steps, and the joints that move where they are free.
     fn write_all(&mut self, plan: &Plan, free: &FreeJoints) -> Vec<FreeJoint> {
         self.take_parameters();
@@ -419,6 +451,7 @@ impl<'a> Writer<'a> {
                 true => *threshold.get_or_insert_with(|| self.threshold()),
                 false => self.g.constant(self.tolerances.free_below),
             };
+            self.step.free = self.as_told_by_roots(self.step.free);
             self.write(step);
             for (step, joint) in &may_be_free {
                 let said = self.said_of(*step, *joint, i, plan);

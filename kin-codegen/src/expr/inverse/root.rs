@@ -170,6 +170,19 @@ impl Writer<'_> {
                 (other, self.scaled(0.5 * noise, length))
             }
         };
+        if !discriminant.keeps_digits(&self.tolerances) {
+            // Where the other factor is small, the one that keeps its digits is twice the length.
+            let difference = match factors {
+                None => value,
+                Some([_, other]) => {
+                    let length = self.g.sqrt(amplitude);
+                    let length = self.scaled(2.0, length);
+                    self.g.mul(length, other)
+                }
+            };
+            let difference = self.scaled(unit.powi(-2), difference);
+            self.branch.difference = Some(self.lesser(self.branch.difference, difference));
+        }
         let invalid = self.g.select_less(least, double, minus, zero);
         self.refuse(invalid);
         let kept = self.g.select_less(least, double, zero, value);
@@ -179,12 +192,17 @@ impl Writer<'_> {
 
     /// Takes the margin of a root into that of the branch: the lesser.
     pub(super) fn narrow(&mut self, margin: Expr) {
-        let lesser = self.branch.margin.map(|before| {
-            let [a, b] = [before, margin].map(|e| self.g.neg(e));
-            let larger = self.g.max(a, b);
-            self.g.neg(larger)
-        });
-        self.branch.margin = Some(lesser.unwrap_or(margin));
+        self.branch.margin = Some(self.lesser(self.branch.margin, margin));
+    }
+
+    /// The lesser of two, or the one that there is.
+    fn lesser(&mut self, before: Option<Expr>, value: Expr) -> Expr {
+        let Some(before) = before else {
+            return value;
+        };
+        let [a, b] = [before, value].map(|e| self.g.neg(e));
+        let larger = self.g.max(a, b);
+        self.g.neg(larger)
     }
 
     /// The root on an idealized arm. Where it may change its sign, both branches start, each on its
