@@ -138,8 +138,8 @@ struct BranchStatus {
     singular: Expr,
     /// See [`InverseGraph::margin`].
     margin: Option<Expr>,
-    /// The same of the roots of differences alone, whose digits rounding takes; none on an idealized
-    /// arm, whose branches are refined.
+    /// The product of the discriminants that are differences, whose digits rounding takes; none on an
+    /// idealized arm, whose branches are refined.
     difference: Option<Expr>,
     /// The product of the discriminants of quartics.
     meetings: Option<Expr>,
@@ -411,8 +411,8 @@ impl<'a> Writer<'a> {
         self.g.max(given, least)
     }
 
-    /// The threshold where an earlier root of a difference is nearly double, and its angle known to
-    /// rounding over the root, or, if it is taken for double, to the root of its noise: what follows
+    /// The threshold where earlier roots of differences are nearly double, and an angle known to
+    /// rounding over these roots, or, if one is taken for double, to the root of its noise: what follows
     /// from it is off by as much, and a shorter vector tells no angle. The tip misses the target by as
     /// much, whatever the angle, which a correction makes up for: where all joints are there for it.
     fn as_told_by_roots(&mut self, free: Expr) -> Expr {

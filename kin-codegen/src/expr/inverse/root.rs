@@ -181,7 +181,11 @@ impl Writer<'_> {
                 }
             };
             let difference = self.scaled(unit.powi(-2), difference);
-            self.branch.difference = Some(self.lesser(self.branch.difference, difference));
+            // Each passes on what the one before has lost.
+            self.branch.difference = Some(match self.branch.difference {
+                None => difference,
+                Some(before) => self.g.mul(before, difference),
+            });
         }
         let invalid = self.g.select_less(least, double, minus, zero);
         self.refuse(invalid);
@@ -192,17 +196,12 @@ impl Writer<'_> {
 
     /// Takes the margin of a root into that of the branch: the lesser.
     pub(super) fn narrow(&mut self, margin: Expr) {
-        self.branch.margin = Some(self.lesser(self.branch.margin, margin));
-    }
-
-    /// The lesser of two, or the one that there is.
-    fn lesser(&mut self, before: Option<Expr>, value: Expr) -> Expr {
-        let Some(before) = before else {
-            return value;
-        };
-        let [a, b] = [before, value].map(|e| self.g.neg(e));
-        let larger = self.g.max(a, b);
-        self.g.neg(larger)
+        let lesser = self.branch.margin.map(|before| {
+            let [a, b] = [before, margin].map(|e| self.g.neg(e));
+            let larger = self.g.max(a, b);
+            self.g.neg(larger)
+        });
+        self.branch.margin = Some(lesser.unwrap_or(margin));
     }
 
     /// The root on an idealized arm. Where it may change its sign, both branches start, each on its
