@@ -97,7 +97,7 @@ fields! {
     Between { behind, twist }
     Twist { linear, angular }
     Pose { rotation, translation }
-    Kept { elimination, lost, unsure, unclear, noise }
+    Kept { elimination, lost, wrong, unsure, unclear, noise }
     Elimination {
         joints, backwards, degree, moved, functionals, half, third, fold, powers, rows, columns
     }
