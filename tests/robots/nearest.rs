@@ -4,6 +4,7 @@ use crate::measure::largest;
 use crate::random::Random;
 use crate::subject::Subject;
 use kinematics::{JointLimit, Kinematics, Nearest, NoSolution, Pose, Robot};
+use kinematics::{RobotOptions, RobotSource, Target};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -332,5 +333,44 @@ fn a_straight_wrist_rests_while_the_elbow_is_nearly_stretched() {
             let moved = moved.fold(0.0, f64::max);
             assert!(moved < 1e-8, "{file}: {moved} from {q:?}");
         }
+    }
+}
+
+/// A mill whose tool is along the axis of its table where the head is upright, and there another turn of
+/// the table in sum with that of the tool, which no target tells, is as good.
+#[test]
+fn where_the_tool_is_along_a_joint_it_rests() {
+    let mill = "
+robot: mill
+units: {angle: deg, length: mm}
+screws:
+  - {name: c, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: x, axis: [1, 0, 0], type: prismatic}
+  - {name: y, axis: [0, 1, 0], type: prismatic}
+  - {name: z, axis: [0, 0, 1], type: prismatic}
+  - {name: b, axis: [0, 1, 0], point: [0, 0, 500]}
+home: {xyz: [0, 0, 300], rpy: [180, 0, 0]}
+";
+    let source = RobotSource {
+        path: "mill.yaml".into(),
+        text: mill.into(),
+    };
+    let options = RobotOptions {
+        target: Some(Target::PositionAxis),
+        ..RobotOptions::default()
+    };
+    let robot = Robot::load(&source, &options).unwrap();
+    let mut random = Random::new(37);
+    for k in 0..600 {
+        let mut q: [f64; 5] = std::array::from_fn(|_| random.between(-0.5, 0.5));
+        q[0] = random.angle();
+        q[4] = [0.0, PI, 1e-12, -1e-9, 1e-6, 0.3][k % 6];
+        let target = robot.fk(&q);
+        let nearest = robot.ik_nearest(&target, &q).unwrap();
+        let moved = largest(nearest.q.iter().zip(&q).map(|(a, b)| a - b));
+        assert!(moved < 1e-8, "{moved} from {q:?}");
+        let rests = |it: &[f64]| it.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-8);
+        let seeded = robot.ik_seeded(&target, &q);
+        assert!(seeded.iter().any(|it| rests(it.q)), "{q:?}");
     }
 }
