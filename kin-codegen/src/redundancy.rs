@@ -141,7 +141,11 @@ fn solve_carried(
     }
     let uncoupled = uncoupled_behind(model, count);
     let (model, linkage) = uncoupled.map_err(|reason| NoClosedForm::Mimic(reason.into()))?;
-    let certified = solve_uncoupled(&model, &linkage, target)?;
+    // Where those behind do not move by themselves all that is left, others are to spare.
+    let certified = solve_uncoupled(&model, &linkage, target).map_err(|reason| match reason {
+        NoClosedForm::Singular { .. } => refused,
+        other => other,
+    })?;
     let redundancy = Redundancy {
         joints: (0..count).collect(),
         swivel: None,

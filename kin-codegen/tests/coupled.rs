@@ -422,6 +422,27 @@ fn refusals_say_why() {
     assert!(said.contains(why), "{said}");
 }
 
+/// What is left without the first joint moves the tip in fewer ways, and it is the last that is to spare.
+#[test]
+fn no_other_joint_than_one_in_front_can_be_given() {
+    let joints = "\
+robot: palletizer
+units: {angle: rad, length: m}
+screws:
+  - {name: j1, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: j2, axis: [0, 1, 0], point: [0.2, 0, 0.3]}
+  - {name: j3, axis: [0, 1, 0], point: [0.2, 0, 0.9]}
+  - {name: j4, axis: [0, 1, 0], point: [0.2, 0, 0.9], mimic: {joint: j2, multiplier: -1}}
+  - {name: j5, axis: [0, 1, 0], point: [0.8, 0, 0.9], mimic: {joint: j3, multiplier: -1}}
+  - {name: j6, axis: [0, 0, 1], point: [0.9, 0, 0.9]}
+home: {xyz: [0.9, 0, 0.7], rpy: [3.141592653589793, 0, 0]}
+";
+    let said = Arm::new(joints, Some(Target::PositionAxis)).err().unwrap();
+    let why = "only joints in front of all that mimic others or are mimicked can stay free";
+    assert!(said.contains(why), "{said}");
+    assert!(!said.contains("at most"), "{said}");
+}
+
 /// How high the tip is over the plane across one of its axes tells a joint by the fifth digit of the
 /// angle between them, and next to where that is stationary not at all: distances tell it.
 #[test]

@@ -254,9 +254,15 @@ fn slides_that_lift_the_tip_have_no_planar_targets() {
     let reason = "`planar` targets leave the height to an arm whose slides go across its axes, and \
                   `slide` is 11.31° from that";
     assert!(message.contains(reason), "{message}");
-    assert!(message.contains("let that joint stay free"), "{message}");
+    let remedy = "leave out `target`, or choose `position`;";
+    assert!(message.contains(remedy), "{message}");
+    assert!(compiled(lifting, Target::Position).is_ok());
     let level = lifting.replace("[1, 0, 0.2]", "[1, 0, 0]");
     assert!(compiled(&level, Target::Planar).is_ok());
+    let another = "- {name: c, xyz: [0.2, 0, 0], axis: [0, 0, 1]}\n- {name: tool";
+    let longer = lifting.replace("- {name: tool", another);
+    let message = compiled(&longer, Target::Planar).unwrap_err();
+    assert!(message.contains("let that joint stay free"), "{message}");
 }
 
 #[test]

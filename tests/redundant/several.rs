@@ -4,9 +4,9 @@ use crate::cached::cached;
 use crate::random::Random;
 use kinematics::{
     Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Kinematics,
-    Parameter, Pose, RedundantKinematics, RobotOptions, kinematics,
+    Parameter, Pose, RedundantKinematics, Robot, RobotOptions, RobotSource, Target, kinematics,
 };
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 kinematics!(
     "robots/redundant/gantry_iiwa.yaml",
@@ -399,5 +399,46 @@ fn parameters_that_are_no_numbers_have_no_solutions() {
             );
             assert!(loaded.ik_at(&target, &given).is_empty(), "{i} {value}");
         }
+    }
+}
+
+/// Where joint 4 of three that are given is a quarter turn away, the first step of the plan with fewest
+/// operations leaves its joint free, and half of the targets had no answer.
+#[test]
+fn each_given_joint_may_be_at_a_quarter_turn() {
+    let text = "
+robot: arm
+units: {angle: rad, length: m}
+screws:
+  - {name: j1, axis: [1, 0, 0], point: [0, 0, 0]}
+  - {name: j2, axis: [0, 1, 0], point: [0, 0.18, 0.05]}
+  - {name: j3, axis: [1, 0, 0], point: [0.42, 0.23, 0.02]}
+  - {name: j4, axis: [0, 1, 0], point: [0.42, 0.23, 0.02]}
+  - {name: j5, axis: [0, 1, 0], type: prismatic}
+  - {name: j6, axis: [1, 0, 0], type: prismatic}
+home: {xyz: [0.91, -0.2, -0.33]}
+";
+    let source = RobotSource {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    };
+    let options = RobotOptions {
+        target: Some(Target::Position),
+        free: ["j1", "j4", "j6"].map(String::from).to_vec(),
+        ..RobotOptions::default()
+    };
+    let robot = Robot::load(&source, &options).unwrap();
+    let mut random = Random::new(43);
+    for k in 0..400 {
+        let mut q: [f64; 6] = std::array::from_fn(|_| random.angle());
+        q[3] = [FRAC_PI_2, -FRAC_PI_2, PI, 0.0][k % 4];
+        for slide in &mut q[4..] {
+            *slide /= 6.0;
+        }
+        let target = robot.fk(&q);
+        let given = robot.redundancy(&target, &q);
+        let solutions = robot.ik_at(&target, &given);
+        let near = |it: &[f64]| it.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-6);
+        assert!(solutions.iter().any(|it| near(it.q)), "{q:?}");
     }
 }

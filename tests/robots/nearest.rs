@@ -336,6 +336,18 @@ fn a_straight_wrist_rests_while_the_elbow_is_nearly_stretched() {
     }
 }
 
+fn read(text: &str, target: Target) -> Robot {
+    let source = RobotSource {
+        path: "arm.yaml".into(),
+        text: text.into(),
+    };
+    let options = RobotOptions {
+        target: Some(target),
+        ..RobotOptions::default()
+    };
+    Robot::load(&source, &options).unwrap()
+}
+
 /// A mill whose tool is along the axis of its table where the head is upright, and there another turn of
 /// the table in sum with that of the tool, which no target tells, is as good.
 #[test]
@@ -351,15 +363,7 @@ screws:
   - {name: b, axis: [0, 1, 0], point: [0, 0, 500]}
 home: {xyz: [0, 0, 300], rpy: [180, 0, 0]}
 ";
-    let source = RobotSource {
-        path: "mill.yaml".into(),
-        text: mill.into(),
-    };
-    let options = RobotOptions {
-        target: Some(Target::PositionAxis),
-        ..RobotOptions::default()
-    };
-    let robot = Robot::load(&source, &options).unwrap();
+    let robot = read(mill, Target::PositionAxis);
     let mut random = Random::new(37);
     for k in 0..600 {
         let mut q: [f64; 5] = std::array::from_fn(|_| random.between(-0.5, 0.5));
@@ -372,5 +376,43 @@ home: {xyz: [0, 0, 300], rpy: [180, 0, 0]}
         let rests = |it: &[f64]| it.iter().zip(&q).all(|(a, b)| (a - b).abs() < 1e-8);
         let seeded = robot.ik_seeded(&target, &q);
         assert!(seeded.iter().any(|it| rests(it.q)), "{q:?}");
+    }
+}
+
+/// A turning arm on a rail that it reaches along: what one slides the other may slide back.
+#[test]
+fn slides_that_are_parallel_rest() {
+    let arm = "
+robot: rail_cylindrical
+units: {angle: deg, length: mm}
+screws:
+  - {name: rail, axis: [1, 0, 0], type: prismatic}
+  - {name: turn, axis: [0, 0, 1], point: [0, 0, 0]}
+  - {name: reach, axis: [0, -1, 0], type: prismatic}
+  - {name: lift, axis: [0, 0, 1], type: prismatic}
+home: {xyz: [100, -300, 0], rpy: [180, 0, 0]}
+";
+    for text in [
+        arm,
+        &arm.replace(
+            "name: lift, axis: [0, 0, 1]",
+            "name: lift, axis: [0, 0.6, 0.8]",
+        ),
+    ] {
+        let robot = read(text, Target::Pose);
+        let mut random = Random::new(41);
+        for k in 0..400 {
+            let mut q: [f64; 4] = std::array::from_fn(|_| random.between(-0.5, 0.5));
+            q[1] = [FRAC_PI_2, -FRAC_PI_2, FRAC_PI_2 - 1e-12, 0.4][k % 4];
+            let target = robot.fk(&q);
+            let nearest = robot.ik_nearest(&target, &q).unwrap();
+            let moved = largest(nearest.q.iter().zip(&q).map(|(a, b)| a - b));
+            assert!(moved < 1e-8, "{moved} from {q:?}");
+            // From elsewhere as well it is reached, and by slides no longer than the arm.
+            let other = robot.ik(&target);
+            let slides = |it: &[f64]| largest([it[0], it[2], it[3]]);
+            assert!(other.iter().any(|it| slides(it.q) < 3.0), "{q:?}");
+            assert!(robot.ik_approximate(&target).is_some(), "{q:?}");
+        }
     }
 }

@@ -2,7 +2,6 @@
 //! may be aligned, and next to these.
 
 use crate::model::{JointKind, Model};
-use crate::random::Random;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// How many places, the first, are anywhere.
@@ -26,20 +25,42 @@ pub(super) fn tried(model: &Model, locked: &[usize]) -> Vec<Vec<f64>> {
     if locked.is_empty() {
         return vec![Vec::new()];
     }
-    let mut random = Random(0xa409_3822_299f_31d0);
     let size = crate::geometry::size(model);
     let value = |joint: usize, place: f64| match model.joints[joint].kind {
         JointKind::Revolute => place,
         JointKind::Prismatic => place / PI * size,
     };
-    let mut at = |place: f64| -> Vec<f64> {
-        let mut places = vec![place; locked.len()];
-        // The others anywhere among the places, so that not all are aligned at once.
-        for other in places.iter_mut().skip(1) {
-            *other = PLACES[random.below(PLACES.len() as u64)];
-        }
-        let pairs = locked.iter().zip(places);
-        pairs.map(|(&joint, place)| value(joint, place)).collect()
+    let at = |i: usize| -> Vec<f64> {
+        let joints = locked.iter().enumerate();
+        joints
+            .map(|(k, &joint)| value(joint, PLACES[place(i, k)]))
+            .collect()
     };
-    PLACES.into_iter().map(&mut at).collect()
+    (0..PLACES.len()).map(at).collect()
+}
+
+/// The i-th place of the k-th joint: each joint is at all of them, and no two are together at more
+/// than one, so that not all are aligned at once.
+fn place(i: usize, k: usize) -> usize {
+    let all = PLACES.len();
+    (i * (1 + k % (all - 1)) + k * k) % all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn each_joint_is_at_all_places_and_never_at_those_of_others() {
+        let all: Vec<usize> = (0..PLACES.len()).collect();
+        for k in 0..PLACES.len() - 1 {
+            let seen: BTreeSet<usize> = all.iter().map(|&i| place(i, k)).collect();
+            assert_eq!(seen.len(), all.len());
+            for other in 0..k {
+                let together = all.iter().filter(|&&i| place(i, k) == place(i, other));
+                assert_eq!(together.count(), 1, "{k} {other}");
+            }
+        }
+    }
 }

@@ -7,6 +7,9 @@ use crate::expr::Expr;
 use crate::expr::linear::Vector;
 use crate::plan::{Atom, Relation};
 
+/// What keeps unit vectors that depend on each other apart, of 1.
+const DAMPING: f64 = 1e-8;
+
 /// A point c cos θ + s sin θ + m.
 type Circle = [Vector; 3];
 
@@ -22,20 +25,18 @@ impl Writer<'_> {
         let along: Vec<Vector> = (unknowns.iter())
             .map(|&unknown| self.slide_behind(unknown, end))
             .collect();
-        let travels = self.linear(&along, gap);
-        for (&unknown, travel) in unknowns.iter().zip(travels) {
-            self.set_slide(unknown, travel);
-        }
+        self.slide_along(unknowns, &along, gap);
     }
 
-    /// t of Σ tᵢ vᵢ = gap: by Cramer's rule, of two vectors in their plane.
-    fn linear(&mut self, along: &[Vector], gap: Vector) -> Vec<Expr> {
+    /// t of Σ tᵢ vᵢ = gap, of unit vectors: by Cramer's rule, of two in their plane. Of those that
+    /// depend on each other many will do, and the ones nearest to the seed's stand for all.
+    fn slide_along(&mut self, unknowns: &[Atom], along: &[Vector], gap: Vector) {
         let mut columns = along.to_vec();
         if let &[first, second] = along {
             columns.push(self.g.cross(first, second));
         }
         let [a, b, c] = columns[..] else {
-            return Vec::new();
+            return;
         };
         let whole = self.volume(a, b, c);
         let one = self.g.one();
@@ -44,11 +45,64 @@ impl Writer<'_> {
         let mut travels: Vec<Expr> = Vec::new();
         for (a, b, c) in volumes.into_iter().take(along.len()) {
             let volume = self.volume(a, b, c);
-            let travel = self.g.mul(volume, inverse);
-            if self.g.value(whole).is_none() {
-                self.refuse_beyond_digits(travel);
+            travels.push(self.g.mul(volume, inverse));
+        }
+        if self.g.value(whole).is_none() {
+            let square = match along.len() {
+                2 => whole,
+                _ => self.g.square(whole),
+            };
+            let nothing = self.flag_free(unknowns, square, one);
+            let near = self.nearest_to_seed(unknowns, along, gap);
+            for (travel, near) in travels.iter_mut().zip(near) {
+                *travel = self.g.select_less(square, nothing, near, *travel);
+                self.refuse_beyond_digits(*travel);
             }
-            travels.push(travel);
+        }
+        for (&unknown, travel) in unknowns.iter().zip(travels) {
+            self.set_slide(unknown, travel);
+        }
+    }
+
+    /// The t nearest to the seed's of those that make Σ tᵢ vᵢ = gap, where the vᵢ depend on each
+    /// other: (VᵀV + μ)⁻¹ Vᵀ of what the seed leaves of the gap, and of what that leaves (J. D. Riley,
+    /// "Solving systems of linear equations with a positive definite, symmetric, but possibly
+    /// ill-conditioned matrix", Math. Tables Aids Comput. 9, 1955).
+    fn nearest_to_seed(&mut self, unknowns: &[Atom], along: &[Vector], gap: Vector) -> Vec<Expr> {
+        let zero = self.g.zero();
+        let mut travels: Vec<Expr> = Vec::new();
+        for &unknown in unknowns {
+            let (joint, _) = self.extent(unknown);
+            travels.push(self.seeded_joint(joint).unwrap_or(zero));
+        }
+        let damping = self.g.constant(DAMPING);
+        let mut gram = [[zero; 3]; 3];
+        for (i, row) in gram.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                if let (Some(&a), Some(&b)) = (along.get(i), along.get(j)) {
+                    *entry = self.g.dot(a, b);
+                }
+            }
+            row[i] = self.g.add(row[i], damping);
+        }
+        let [a, b, c] = gram;
+        let whole = self.volume(a, b, c);
+        for _ in 0..2 {
+            let mut left = gap;
+            for (&v, &travel) in along.iter().zip(&travels) {
+                let part = self.g.scale(travel, v);
+                left = self.g.minus(left, part);
+            }
+            let mut side = [zero; 3];
+            for (side, &v) in side.iter_mut().zip(along) {
+                *side = self.g.dot(v, left);
+            }
+            let volumes = [(side, b, c), (a, side, c), (a, b, side)];
+            for (travel, (a, b, c)) in travels.iter_mut().zip(volumes) {
+                let volume = self.volume(a, b, c);
+                let step = self.g.div(volume, whole);
+                *travel = self.g.add(*travel, step);
+            }
         }
         travels
     }
@@ -80,10 +134,7 @@ impl Writer<'_> {
         self.set(turn, trig);
         let [right, w] = [right, w].map(|x| self.g.turn(trig, x));
         let gap = self.g.minus(left, right);
-        let travels = self.linear(&[v, w], gap);
-        for (unknown, travel) in [first, last].into_iter().zip(travels) {
-            self.set_slide(unknown, travel);
-        }
+        self.slide_along(&[first, last], &[v, w], gap);
     }
 
     /// The line p + t v, turned about the middle axis, and the point, turned
