@@ -61,10 +61,6 @@ impl Refusal {
                 "leave out `target`, or choose `position`; `ik = none` generates forward kinematics \
                  and Jacobians alone"
             }
-            Reason::Arm(NoClosedForm::Lifting { .. }) if self.has_more_than(Target::Planar) => {
-                "leave out `target`, or let that joint stay free (`free`), whose value is given then; `ik = none` \
-                 generates forward kinematics and Jacobians alone"
-            }
             Reason::Arm(NoClosedForm::Lifting { .. }) => {
                 "leave out `target`, or choose `position`; `ik = none` generates forward kinematics and \
                  Jacobians alone"
@@ -109,12 +105,6 @@ impl Refusal {
             }
             (Compiled::Arm(_), _) => Diagnostic::whole(self.text(), remedy),
         }
-    }
-
-    /// Whether the arm has more coordinates than a target, so that one can be given.
-    fn has_more_than(&self, target: Target) -> bool {
-        let arm = self.robot.arm();
-        arm.is_some_and(|arm| arm.model.variables.len() > target.coordinates())
     }
 
     /// Whether none of the arm's joints, given ones with them, changes what counts of a target.

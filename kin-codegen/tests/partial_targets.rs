@@ -261,8 +261,7 @@ fn slides_that_lift_the_tip_have_no_planar_targets() {
     assert!(compiled(&level, Target::Planar).is_ok());
     let another = "- {name: c, xyz: [0.2, 0, 0], axis: [0, 0, 1]}\n- {name: tool";
     let longer = lifting.replace("- {name: tool", another);
-    let message = compiled(&longer, Target::Planar).unwrap_err();
-    assert!(message.contains("let that joint stay free"), "{message}");
+    assert!(compiled(&longer, Target::Planar).is_ok());
 }
 
 #[test]
