@@ -385,7 +385,7 @@ fn parameters_that_are_no_numbers_have_no_solutions() {
     let (target, given) = (Ur10ePosition.fk(&q), Ur10ePosition.redundancy(&q));
     assert!(!Ur10ePosition.ik_at(&target, &given).is_empty());
     let options = RobotOptions {
-        target: Some(kin_codegen::Target::Position),
+        target: Some(Target::Position),
         ..RobotOptions::default()
     };
     let loaded = cached("../robots/ur10e.yaml", &options);
