@@ -14,6 +14,7 @@ use std::time::Instant;
 
 kinematics::kinematics!("../robots/ur5e.urdf");
 kinematics::kinematics!("../robots/xarm6.yaml");
+kinematics::kinematics!("../tests/robots/crx10ial.yaml");
 kinematics::kinematics!("../tests/robots/noisy/calibrated.yaml");
 kinematics::kinematics!("../tests/robots/noisy/truncated_pi.yaml");
 
@@ -124,4 +125,7 @@ fn main() {
         TruncatedPi.ik(p)
     });
     times("xArm 6, no closed form", &Xarm6, count, |p| Xarm6.ik(p));
+    times("CRX-10iA/L, no closed form", &Crx10ial, count, |p| {
+        Crx10ial.ik(p)
+    });
 }

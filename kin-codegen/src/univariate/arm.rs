@@ -129,7 +129,8 @@ impl Arm {
             return Vec::new();
         };
         let arm = |kept| Self::keeping(&linkage, &family, vec![kept]);
-        each(&family, linkage.links.len(), FEW)
+        let rank = |kept: &Kept| (kept.lost, kept.rank());
+        each(&family, linkage.links.len(), FEW, rank)
             .into_iter()
             .map(arm)
             .collect()

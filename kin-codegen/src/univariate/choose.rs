@@ -35,7 +35,7 @@ pub struct Kept {
     pub elimination: Elimination,
     /// How many targets it lost.
     pub lost: usize,
-    /// How many of these it was sure to have.
+    /// On how many of these it was sure to have all solutions.
     pub wrong: usize,
     /// On how many targets of a hundred it was not sure to have all solutions.
     pub unsure: f64,
@@ -47,14 +47,22 @@ pub struct Kept {
 }
 
 impl Kept {
-    /// The less the better: noise that leaves no answer sure near singular configurations, then the
-    /// time that it takes beyond what all take, what it loses, and noise.
+    /// The less the better near singular configurations, where it is asked beside branches: noise that
+    /// leaves no answer sure, then how often it is not sure, what it takes, and noise.
     pub(crate) fn rank(&self) -> [u64; 4] {
         let noise = self.noise.max(NOISY);
-        let time = UNSURE * self.unsure + self.unclear;
-        let lost = self.lost as f64;
         // Of numbers that are not negative the bits have the same order.
-        [noise, time, lost, self.noise].map(f64::to_bits)
+        [noise, self.unsure, self.unclear, self.noise].map(f64::to_bits)
+    }
+
+    /// The same where it is asked of all targets, and others where it is not sure: what it is wrong
+    /// of, noise that leaves no answer sure, then the time that it takes beyond what all take, what it
+    /// loses, and noise.
+    fn rank_alone(&self) -> [u64; 5] {
+        let noise = self.noise.max(NOISY);
+        let time = UNSURE * self.unsure + self.unclear;
+        let [wrong, lost] = [self.wrong, self.lost].map(|count| count as f64);
+        [wrong, noise, time, lost, self.noise].map(f64::to_bits)
     }
 
     /// Whether it is never sure of its answer and loses some of so many random targets.
@@ -66,14 +74,20 @@ impl Kept {
 /// The joints to keep of the first ones, the one that separates solutions best first; empty
 /// where no joint will do. The first [`MOST`] are asked, where those are enough.
 pub fn choose(family: &Family, joints: usize) -> Vec<Kept> {
-    let mut kept = each(family, joints, TARGETS);
+    let mut kept = each(family, joints, TARGETS, Kept::rank_alone);
     kept.retain(|kept| !kept.says_nothing(TARGETS));
     kept
 }
 
 /// The first joints that can be kept, the best first, as they did on random targets and on those
-/// of nearly round configurations, at which solutions like to share values of a joint.
-pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
+/// of nearly round configurations, at which solutions like to share values of a joint; `rank` is less
+/// for the better.
+pub fn each<R: Ord>(
+    family: &Family,
+    joints: usize,
+    targets: usize,
+    rank: impl Fn(&Kept) -> R,
+) -> Vec<Kept> {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     let target = |k: usize| {
         let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-PI, PI));
@@ -91,8 +105,7 @@ pub fn each(family: &Family, joints: usize, targets: usize) -> Vec<Kept> {
     let mut kept = threads::each(&eliminations, |elimination| {
         tried(&samples, *elimination, &targets)
     });
-    // Where one is not sure of its answer, others are asked.
-    kept.sort_by_key(|kept| (kept.wrong, kept.rank()));
+    kept.sort_by_key(rank);
     // Of those that differ in rows and columns alone the best tells as much as all.
     let equations = |kept: &Kept| (kept.elimination.joints, kept.elimination.powers);
     let mut seen = Vec::new();
