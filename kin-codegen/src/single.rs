@@ -37,12 +37,14 @@ impl Forward {
         (pose, Jacobian { rows })
     }
 
-    /// The branches that reach their target, those that nearly do after a correction.
+    /// The branches that reach their target, those that nearly do after a correction, and of a
+    /// singular one's family what is nearest to `seed`.
     pub fn corrected<const N: usize>(
         &self,
         target: &double::Pose,
         counts: double::Target,
         branches: impl Iterator<Item = double::Solution<N>> + Clone,
+        seed: &[f64; N],
         accept: &double::__private::Acceptance,
     ) -> Solutions<N> {
         let accept = Acceptance {
@@ -61,7 +63,8 @@ impl Forward {
             branch: branch.branch,
             singular: branch.singular,
         });
-        let found = correct_branches(&problem, branches, &accept);
+        let seed = seed.map(|x| x as f32);
+        let found = correct_branches(&problem, branches, &seed, &accept);
         Solutions::build_with_prismatic(accept.prismatic, |solutions| {
             for solution in &found {
                 let of_double = double::Solution {

@@ -290,7 +290,7 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
             }
 
@@ -300,7 +300,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -323,12 +329,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 3],
+                branches: &Branches<3, 4>,
+            ) -> Solutions<3> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Position,
+                        seed,
                         &Self::ACCEPT,
                     )
             }
@@ -608,7 +620,7 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
             }
 
@@ -618,7 +630,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -641,12 +659,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 2],
+                branches: &Branches<2, 1>,
+            ) -> Solutions<2> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Orientation,
+                        seed,
                         &Self::ACCEPT,
                     )
             }
@@ -1046,7 +1070,7 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
             }
 
@@ -1056,7 +1080,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1079,12 +1109,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 3],
+                branches: &Branches<3, 4>,
+            ) -> Solutions<3> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Position,
+                        seed,
                         &Self::ACCEPT,
                     )
             }
@@ -1385,7 +1421,7 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
             }
 
@@ -1395,7 +1431,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1418,12 +1460,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 2],
+                branches: &Branches<2, 1>,
+            ) -> Solutions<2> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Orientation,
+                        seed,
                         &Self::ACCEPT,
                     )
             }
@@ -1884,7 +1932,7 @@ mod __Delta {
                     pose,
                     &[0.0; 3],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
             }
 
@@ -1894,7 +1942,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -1917,12 +1971,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<3, 4>) -> Solutions<3> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 3],
+                branches: &Branches<3, 4>,
+            ) -> Solutions<3> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Position,
+                        seed,
                         &Self::ACCEPT,
                     )
             }
@@ -2223,7 +2283,7 @@ mod __Delta {
                     pose,
                     &[0.0; 2],
                     &[],
-                    |branches| self.sorted(pose, &branches),
+                    |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
             }
 
@@ -2233,7 +2293,13 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+                solve(
+                    self,
+                    pose,
+                    seed,
+                    &[],
+                    |branches| self.sorted(pose, seed, &branches),
+                )
             }
 
             /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -2256,12 +2322,18 @@ mod __Delta {
             }
 
             #[cold]
-            fn sorted(&self, pose: &Pose, branches: &Branches<2, 1>) -> Solutions<2> {
+            fn sorted(
+                &self,
+                pose: &Pose,
+                seed: &[f64; 2],
+                branches: &Branches<2, 1>,
+            ) -> Solutions<2> {
                 branches
                     .corrected(
                         |q| self.fk_jacobian(q),
                         pose,
                         Target::Orientation,
+                        seed,
                         &Self::ACCEPT,
                     )
             }

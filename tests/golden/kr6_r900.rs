@@ -275,7 +275,13 @@ mod __Kr6R900 {
         /// Solved by SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(self, pose, &[0.0; 6], &[], |branches| self.sorted(pose, &branches))
+            solve(
+                self,
+                pose,
+                &[0.0; 6],
+                &[],
+                |branches| self.sorted(pose, &[0.0; 6], &branches),
+            )
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -284,7 +290,7 @@ mod __Kr6R900 {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -307,9 +313,20 @@ mod __Kr6R900 {
         }
 
         #[cold]
-        fn sorted(&self, pose: &Pose, branches: &Branches<6, 8>) -> Solutions<6> {
+        fn sorted(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 6],
+            branches: &Branches<6, 8>,
+        ) -> Solutions<6> {
             branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+                .corrected(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    seed,
+                    &Self::ACCEPT,
+                )
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -328,7 +345,7 @@ mod __Kr6R900 {
                 &[],
                 const { &Nearest::new([0.0; 6], &Self::LIMITS) },
                 seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, seed, &branches),
             )
         }
 
@@ -347,7 +364,7 @@ mod __Kr6R900 {
                 &[],
                 nearest,
                 &nearest.seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }
 

@@ -391,9 +391,9 @@ const $half_plane = ({ shoulder, reference }, angle, wrist) => {
     };
 };
 
-/* A branch at a swivel angle that misses its target, corrected: how far the elbow is from its half
- * plane is one more coordinate of the target. Null if it stays off. */
-const $at_swivel = (arm, target, given, whole, branch, singular) => {
+/* Where Levenberg's method leads from a configuration at a swivel angle: how far the elbow is from its
+ * half plane is one more coordinate of the target; infinitely far on the other side. */
+const $at_swivel = (arm, target, given, whole, evaluations) => {
     const { form } = arm;
     const { swivel } = form;
     const { direction, normal } = $half_plane(swivel, given[0], $point(target, swivel.wrist));
@@ -417,13 +417,12 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
             rows: [...rows, row],
         };
     };
-    const found = $correct(linearize, form.size, [...whole], $steps(form));
-    const q = found.q.map($wrap);
-    if (!(found.residual <= form.tolerance && along(elbow_of(q), direction) >= -form.tolerance)) {
-        return null;
-    }
-    const residual = $distance(form, arm.fk(q), target);
-    return { q, residual, branch, singular: found.singular || singular };
+    const { q, residual: missed, singular } = $correct(linearize, form.size, [...whole], evaluations);
+    const all = q.map($wrap);
+    return {
+        missed: along(elbow_of(all), direction) >= -form.tolerance ? missed : Infinity,
+        found: { q: all, residual: $distance(form, arm.fk(all), target), singular },
+    };
 };
 
 /* How far the rotation of a target is from one, as far as it counts. */
@@ -614,13 +613,17 @@ const $whole = (arm, solved, given) => {
     return q;
 };
 
+/* How far the joints of two configurations are apart, full turns left out. */
+const $joint_distances = (arm, a, b) =>
+    arm.joints.map(({ repeats }, i) => Math.abs(repeats ? $wrap(a[i] - b[i]) : a[i] - b[i]));
+
+/* The place of a configuration among some solutions, -1 if it is none of them. */
+const $known_place = (arm, q, solutions) =>
+    solutions.findIndex((known) => $joint_distances(arm, q, known.q).every((apart) => apart < 1e-6));
+
 /* Adds a solution, unless it is one of those that are there; of two the better one stays. */
 const $insert = (arm, found, solutions) => {
-    const same = (known) => found.q.every((q, i) => {
-        const off = q - known.q[i];
-        return Math.abs(arm.joints[i].repeats ? $wrap(off) : off) < 1e-6;
-    });
-    const known = solutions.findIndex(same);
+    const known = $known_place(arm, found.q, solutions);
     if (known >= 0) {
         if (found.residual < solutions[known].residual) {
             solutions[known] = { ...found, branch: solutions[known].branch };
@@ -633,29 +636,39 @@ const $insert = (arm, found, solutions) => {
 /* Evaluations for a correction: the branches of an arm's design are farther from the solutions. */
 const $steps = ({ taken }) => (taken < 0.0 ? 60 : 12);
 
-/* A branch that misses its target, corrected; it may stay off. */
-const $corrected = (arm, target, given, solved, branch, singular, evaluations = $steps(arm.form)) => {
+/* Where Levenberg's method leads from a configuration, and how far that is from the target. */
+const $corrected = (arm, target, given, solved, evaluations) => {
     const { form } = arm;
     const tip = (q) => $seen(arm, $whole(arm, q, given), form.solved);
     const seen = (q) => form.projection ? form.projection.see(tip(q)) : tip(q);
-    const found = $correct((q) => $linearize(form, target, seen, q), form.size, solved, evaluations);
-    const q = found.q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
-    return {
-        q: $whole(arm, q, given),
-        residual: found.residual,
-        branch,
-        /* Branches of a design say where the arm may be singular. */
-        singular: found.singular || (form.taken >= 0.0 && singular),
-    };
+    const linearize = (q) => $linearize(form, target, seen, q);
+    const { q, residual, singular } = $correct(linearize, form.size, solved, evaluations);
+    const wrapped = q.map((x, i) => (arm.joints[form.solved[i]].repeats ? $wrap(x) : x));
+    return { missed: residual, found: { q: $whole(arm, wrapped, given), residual, singular } };
 };
 
-/* The branches that reach their target, the others corrected. */
-const $reaching = (arm, target, given, lanes) => {
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
+ * one that reaches the target, `found` there, it takes the place of the nearest. */
+const $stay_at_seed = (arm, { missed, found }, solutions) => {
+    const apart = ({ q }) =>
+        $joint_distances(arm, q, found.q).reduce((square, x) => square + x * x, 0.0);
+    const nearer = (one, other) => (apart(other) < apart(one) ? other : one);
+    const nearest = solutions.filter(({ singular }) => singular).reduce(nearer);
+    if (missed <= Math.max(nearest.residual, 1e-14 * arm.form.size)
+        && found.singular && $known_place(arm, found.q, solutions) < 0) {
+        Object.assign(nearest, found);
+    }
+};
+
+/* The branches that reach their target, the others corrected; where one is singular, the seed may be as
+ * well. */
+const $reaching = (arm, target, given, seed, lanes) => {
     const { form } = arm;
     const solutions = [];
     const nearly = [];
-    const correct = form.swivel ? $at_swivel : $corrected;
     const aim = form.projection ? form.projection.target(target) : target;
+    const lead = form.swivel ? $at_swivel : $corrected;
+    const correct = (q, evaluations) => lead(arm, aim, given, q, evaluations);
     const corrects = form.corrects
         && $rotation_error(form, aim) * form.size <= form.tolerance;
     for (let k = 0; k < form.branches; ++k) {
@@ -672,17 +685,23 @@ const $reaching = (arm, target, given, lanes) => {
     }
     for (const k of nearly) {
         const solved = lanes.q.map((lane) => lane[k]);
-        const found = correct(arm, aim, given, solved, k, lanes.singular[k] > 0.0);
-        if (found && found.residual <= form.tolerance) {
-            $insert(arm, found, solutions);
+        const { missed, found } = correct(solved, $steps(form));
+        if (missed <= form.tolerance) {
+            const { q, residual } = found;
+            /* Branches of a design say where the arm may be singular. */
+            const singular = found.singular || (form.taken >= 0.0 && lanes.singular[k] > 0.0);
+            $insert(arm, { q, residual, branch: k, singular }, solutions);
         }
+    }
+    if (corrects && solutions.some(({ singular }) => singular)) {
+        $stay_at_seed(arm, correct(seed, 0), solutions);
     }
     return solutions;
 };
 
 /* The solutions of a target by the branches of a plan. */
 const $solve = (arm, target, seed, given) =>
-    $reaching(arm, target, given, $branches(arm.form, target, seed, given));
+    $reaching(arm, target, given, seed, $branches(arm.form, target, seed, given));
 
 /* What of an array is no number, by its place and its type: of text, as pages have it, + makes text. */
 const $no_number = (values) => {

@@ -250,6 +250,7 @@ mod __Panda {
                     |q| self.fk_jacobian(q),
                     pose,
                     Target::Pose,
+                    seed,
                     &Self::ACCEPT,
                 )
         }

@@ -219,7 +219,13 @@ mod __Scara {
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
-            solve(self, pose, &[0.0; 4], &[], |branches| self.sorted(pose, &branches))
+            solve(
+                self,
+                pose,
+                &[0.0; 4],
+                &[],
+                |branches| self.sorted(pose, &[0.0; 4], &branches),
+            )
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -228,7 +234,7 @@ mod __Scara {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -251,9 +257,20 @@ mod __Scara {
         }
 
         #[cold]
-        fn sorted(&self, pose: &Pose, branches: &Branches<4, 2>) -> Solutions<4> {
+        fn sorted(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 4],
+            branches: &Branches<4, 2>,
+        ) -> Solutions<4> {
             branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+                .corrected(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    seed,
+                    &Self::ACCEPT,
+                )
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -272,7 +289,7 @@ mod __Scara {
                 &[],
                 const { &Nearest::new([0.0; 4], &Self::LIMITS) },
                 seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, seed, &branches),
             )
         }
 
@@ -291,7 +308,7 @@ mod __Scara {
                 &[],
                 nearest,
                 &nearest.seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }
 

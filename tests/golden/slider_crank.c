@@ -962,72 +962,119 @@ static void slider_crank_chain0_see_joints(
     }
 }
 
-/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
-static int slider_crank_chain0_insert(const slider_crank_chain0_solution *found, slider_crank_chain0_solution *solutions, int count)
+/* How far two values of a joint are apart, full turns left out. */
+static double slider_crank_chain0_joint_distance(int joint, double a, double b)
+{
+    return fabs(slider_crank_chain0_turns[joint] ? slider_crank_wrap(a - b) : a - b);
+}
+
+/* The place of a configuration among some solutions, -1 if it is none of them. */
+static int slider_crank_chain0_known_place(const double q[SLIDER_CRANK_CHAIN0_JOINTS], const slider_crank_chain0_solution *solutions, int count)
 {
     for (int known = 0; known < count; ++known) {
         int same = 1;
         for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
-            const double off = found->q[i] - solutions[known].q[i];
-            const double apart = slider_crank_chain0_turns[i] ? fabs(slider_crank_wrap(off)) : fabs(off);
-            same = same && apart < 1e-6;
+            same = same && slider_crank_chain0_joint_distance(i, q[i], solutions[known].q[i]) < 1e-6;
         }
         if (same) {
-            if (found->residual < solutions[known].residual) {
-                const int branch = solutions[known].branch;
-                solutions[known] = *found;
-                solutions[known].branch = branch;
-            }
-            return count;
+            return known;
         }
     }
-    if (count < SLIDER_CRANK_CHAIN0_MAX_SOLUTIONS) {
+    return -1;
+}
+
+/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
+static int slider_crank_chain0_insert(const slider_crank_chain0_solution *found, slider_crank_chain0_solution *solutions, int count)
+{
+    const int known = slider_crank_chain0_known_place(found->q, solutions, count);
+    if (known >= 0) {
+        if (found->residual < solutions[known].residual) {
+            const int branch = solutions[known].branch;
+            solutions[known] = *found;
+            solutions[known].branch = branch;
+        }
+    } else if (count < SLIDER_CRANK_CHAIN0_MAX_SOLUTIONS) {
         solutions[count] = *found;
         ++count;
     }
     return count;
 }
 
-/* A branch that misses its target, corrected; whether it reaches it then. */
-static int slider_crank_chain0_corrected(
-    const slider_crank_chain0_lanes *lanes, int k, const double target[12], const double *given,
+/* Where Levenberg's method leads from a configuration, and how far that is from the target, metres. */
+static double slider_crank_chain0_corrected(
+    const double q[SLIDER_CRANK_CHAIN0_SOLVED], int evaluations, const double target[12], const double *given,
     slider_crank_chain0_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN0_SOLVED, slider_crank_chain0_see_joints, given, 0};
-    /* Those of an arm's design are farther from the solutions. */
-    const int steps = SLIDER_CRANK_CHAIN0_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
-        here.q[i] = lanes->q[i][k];
+        here.q[i] = q[i];
     }
-    /* Branches of a design say where the arm may be singular. */
-    found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, steps, &here)
-        || (SLIDER_CRANK_CHAIN0_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
+    found->singular = slider_crank_correct(&slider_crank_chain0_own_metric, &joints, target, evaluations, &here);
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
         here.q[i] = slider_crank_chain0_turns[slider_crank_chain0_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
     slider_crank_chain0_whole(here.q, given, found->q);
     found->residual = here.residual;
-    found->branch = k;
-    return found->residual <= SLIDER_CRANK_CHAIN0_TOLERANCE;
+    return here.residual;
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
-static int slider_crank_chain0_add_corrected(
-    const slider_crank_chain0_lanes *lanes, const double target[12], const double *given,
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
+ * one that reaches the target, it takes the place of the nearest. */
+static void slider_crank_chain0_stay_at_seed(
+    const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double target[12], const double *given,
     slider_crank_chain0_solution *solutions, int count)
 {
+    slider_crank_chain0_solution there;
+    double q[SLIDER_CRANK_CHAIN0_JOINTS], least = HUGE_VAL;
+    int nearest = -1;
+    slider_crank_chain0_whole(seed, given, q);
+    for (int k = 0; k < count; ++k) {
+        double apart = 0.0;
+        for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
+            const double by = slider_crank_chain0_joint_distance(i, solutions[k].q[i], q[i]);
+            apart += by * by;
+        }
+        if (solutions[k].singular && apart < least) {
+            least = apart;
+            nearest = k;
+        }
+    }
+    if (nearest >= 0 && slider_crank_chain0_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN0_SIZE)
+        && there.singular && slider_crank_chain0_known_place(there.q, solutions, count) < 0) {
+        there.branch = solutions[nearest].branch;
+        solutions[nearest] = there;
+    }
+}
+
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
+ * is singular, the seed may be as well. */
+static int slider_crank_chain0_add_corrected(
+    const slider_crank_chain0_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED],
+    const double *given, slider_crank_chain0_solution *solutions, int count)
+{
+    /* Those of an arm's design are farther from the solutions. */
+    const int evaluations = SLIDER_CRANK_CHAIN0_TAKEN < 0.0 ? 60 : 12;
     if (!(slider_crank_rotation_error(&slider_crank_chain0_own_metric, target) * SLIDER_CRANK_CHAIN0_SIZE <= SLIDER_CRANK_CHAIN0_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
+        double q[SLIDER_CRANK_CHAIN0_SOLVED];
         slider_crank_chain0_solution found;
+        for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
+            q[i] = lanes->q[i][k];
+        }
         if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN0_TAKEN && residual <= SLIDER_CRANK_CHAIN0_NEARLY
-            && slider_crank_chain0_corrected(lanes, k, target, given, &found)) {
+            && slider_crank_chain0_corrected(q, evaluations, target, given, &found) <= SLIDER_CRANK_CHAIN0_TOLERANCE) {
+            found.branch = k;
+            /* Branches of a design say where the arm may be singular. */
+            found.singular = found.singular || (SLIDER_CRANK_CHAIN0_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
             count = slider_crank_chain0_insert(&found, solutions, count);
         }
     }
+    slider_crank_chain0_stay_at_seed(seed, target, given, solutions, count);
     return count;
 }
 
@@ -1050,13 +1097,14 @@ static int slider_crank_chain0_solve(
             solutions[count].residual = lanes.residual[k];
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
+            nearly |= solutions[count].singular;
             ++count;
         } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_chain0_add_corrected(&lanes, target, given, solutions, count);
+        count = slider_crank_chain0_add_corrected(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_chain0_own_metric, target);
 }
@@ -1380,72 +1428,119 @@ static void slider_crank_chain1_see_joints(
     }
 }
 
-/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
-static int slider_crank_chain1_insert(const slider_crank_chain1_solution *found, slider_crank_chain1_solution *solutions, int count)
+/* How far two values of a joint are apart, full turns left out. */
+static double slider_crank_chain1_joint_distance(int joint, double a, double b)
+{
+    return fabs(slider_crank_chain1_turns[joint] ? slider_crank_wrap(a - b) : a - b);
+}
+
+/* The place of a configuration among some solutions, -1 if it is none of them. */
+static int slider_crank_chain1_known_place(const double q[SLIDER_CRANK_CHAIN1_JOINTS], const slider_crank_chain1_solution *solutions, int count)
 {
     for (int known = 0; known < count; ++known) {
         int same = 1;
         for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
-            const double off = found->q[i] - solutions[known].q[i];
-            const double apart = slider_crank_chain1_turns[i] ? fabs(slider_crank_wrap(off)) : fabs(off);
-            same = same && apart < 1e-6;
+            same = same && slider_crank_chain1_joint_distance(i, q[i], solutions[known].q[i]) < 1e-6;
         }
         if (same) {
-            if (found->residual < solutions[known].residual) {
-                const int branch = solutions[known].branch;
-                solutions[known] = *found;
-                solutions[known].branch = branch;
-            }
-            return count;
+            return known;
         }
     }
-    if (count < SLIDER_CRANK_CHAIN1_MAX_SOLUTIONS) {
+    return -1;
+}
+
+/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
+static int slider_crank_chain1_insert(const slider_crank_chain1_solution *found, slider_crank_chain1_solution *solutions, int count)
+{
+    const int known = slider_crank_chain1_known_place(found->q, solutions, count);
+    if (known >= 0) {
+        if (found->residual < solutions[known].residual) {
+            const int branch = solutions[known].branch;
+            solutions[known] = *found;
+            solutions[known].branch = branch;
+        }
+    } else if (count < SLIDER_CRANK_CHAIN1_MAX_SOLUTIONS) {
         solutions[count] = *found;
         ++count;
     }
     return count;
 }
 
-/* A branch that misses its target, corrected; whether it reaches it then. */
-static int slider_crank_chain1_corrected(
-    const slider_crank_chain1_lanes *lanes, int k, const double target[12], const double *given,
+/* Where Levenberg's method leads from a configuration, and how far that is from the target, metres. */
+static double slider_crank_chain1_corrected(
+    const double q[SLIDER_CRANK_CHAIN1_SOLVED], int evaluations, const double target[12], const double *given,
     slider_crank_chain1_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_CHAIN1_SOLVED, slider_crank_chain1_see_joints, given, 0};
-    /* Those of an arm's design are farther from the solutions. */
-    const int steps = SLIDER_CRANK_CHAIN1_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
-        here.q[i] = lanes->q[i][k];
+        here.q[i] = q[i];
     }
-    /* Branches of a design say where the arm may be singular. */
-    found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, steps, &here)
-        || (SLIDER_CRANK_CHAIN1_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
+    found->singular = slider_crank_correct(&slider_crank_chain1_own_metric, &joints, target, evaluations, &here);
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
         here.q[i] = slider_crank_chain1_turns[slider_crank_chain1_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
     slider_crank_chain1_whole(here.q, given, found->q);
     found->residual = here.residual;
-    found->branch = k;
-    return found->residual <= SLIDER_CRANK_CHAIN1_TOLERANCE;
+    return here.residual;
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
-static int slider_crank_chain1_add_corrected(
-    const slider_crank_chain1_lanes *lanes, const double target[12], const double *given,
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
+ * one that reaches the target, it takes the place of the nearest. */
+static void slider_crank_chain1_stay_at_seed(
+    const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double target[12], const double *given,
     slider_crank_chain1_solution *solutions, int count)
 {
+    slider_crank_chain1_solution there;
+    double q[SLIDER_CRANK_CHAIN1_JOINTS], least = HUGE_VAL;
+    int nearest = -1;
+    slider_crank_chain1_whole(seed, given, q);
+    for (int k = 0; k < count; ++k) {
+        double apart = 0.0;
+        for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
+            const double by = slider_crank_chain1_joint_distance(i, solutions[k].q[i], q[i]);
+            apart += by * by;
+        }
+        if (solutions[k].singular && apart < least) {
+            least = apart;
+            nearest = k;
+        }
+    }
+    if (nearest >= 0 && slider_crank_chain1_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN1_SIZE)
+        && there.singular && slider_crank_chain1_known_place(there.q, solutions, count) < 0) {
+        there.branch = solutions[nearest].branch;
+        solutions[nearest] = there;
+    }
+}
+
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
+ * is singular, the seed may be as well. */
+static int slider_crank_chain1_add_corrected(
+    const slider_crank_chain1_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED],
+    const double *given, slider_crank_chain1_solution *solutions, int count)
+{
+    /* Those of an arm's design are farther from the solutions. */
+    const int evaluations = SLIDER_CRANK_CHAIN1_TAKEN < 0.0 ? 60 : 12;
     if (!(slider_crank_rotation_error(&slider_crank_chain1_own_metric, target) * SLIDER_CRANK_CHAIN1_SIZE <= SLIDER_CRANK_CHAIN1_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
+        double q[SLIDER_CRANK_CHAIN1_SOLVED];
         slider_crank_chain1_solution found;
+        for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
+            q[i] = lanes->q[i][k];
+        }
         if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_CHAIN1_TAKEN && residual <= SLIDER_CRANK_CHAIN1_NEARLY
-            && slider_crank_chain1_corrected(lanes, k, target, given, &found)) {
+            && slider_crank_chain1_corrected(q, evaluations, target, given, &found) <= SLIDER_CRANK_CHAIN1_TOLERANCE) {
+            found.branch = k;
+            /* Branches of a design say where the arm may be singular. */
+            found.singular = found.singular || (SLIDER_CRANK_CHAIN1_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
             count = slider_crank_chain1_insert(&found, solutions, count);
         }
     }
+    slider_crank_chain1_stay_at_seed(seed, target, given, solutions, count);
     return count;
 }
 
@@ -1468,13 +1563,14 @@ static int slider_crank_chain1_solve(
             solutions[count].residual = lanes.residual[k];
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
+            nearly |= solutions[count].singular;
             ++count;
         } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_chain1_add_corrected(&lanes, target, given, solutions, count);
+        count = slider_crank_chain1_add_corrected(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_chain1_own_metric, target);
 }
@@ -1823,72 +1919,119 @@ static void slider_crank_passive_see_joints(
     }
 }
 
-/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
-static int slider_crank_passive_insert(const slider_crank_passive_solution *found, slider_crank_passive_solution *solutions, int count)
+/* How far two values of a joint are apart, full turns left out. */
+static double slider_crank_passive_joint_distance(int joint, double a, double b)
+{
+    return fabs(slider_crank_passive_turns[joint] ? slider_crank_wrap(a - b) : a - b);
+}
+
+/* The place of a configuration among some solutions, -1 if it is none of them. */
+static int slider_crank_passive_known_place(const double q[SLIDER_CRANK_PASSIVE_JOINTS], const slider_crank_passive_solution *solutions, int count)
 {
     for (int known = 0; known < count; ++known) {
         int same = 1;
         for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
-            const double off = found->q[i] - solutions[known].q[i];
-            const double apart = slider_crank_passive_turns[i] ? fabs(slider_crank_wrap(off)) : fabs(off);
-            same = same && apart < 1e-6;
+            same = same && slider_crank_passive_joint_distance(i, q[i], solutions[known].q[i]) < 1e-6;
         }
         if (same) {
-            if (found->residual < solutions[known].residual) {
-                const int branch = solutions[known].branch;
-                solutions[known] = *found;
-                solutions[known].branch = branch;
-            }
-            return count;
+            return known;
         }
     }
-    if (count < SLIDER_CRANK_PASSIVE_MAX_SOLUTIONS) {
+    return -1;
+}
+
+/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
+static int slider_crank_passive_insert(const slider_crank_passive_solution *found, slider_crank_passive_solution *solutions, int count)
+{
+    const int known = slider_crank_passive_known_place(found->q, solutions, count);
+    if (known >= 0) {
+        if (found->residual < solutions[known].residual) {
+            const int branch = solutions[known].branch;
+            solutions[known] = *found;
+            solutions[known].branch = branch;
+        }
+    } else if (count < SLIDER_CRANK_PASSIVE_MAX_SOLUTIONS) {
         solutions[count] = *found;
         ++count;
     }
     return count;
 }
 
-/* A branch that misses its target, corrected; whether it reaches it then. */
-static int slider_crank_passive_corrected(
-    const slider_crank_passive_lanes *lanes, int k, const double target[12], const double *given,
+/* Where Levenberg's method leads from a configuration, and how far that is from the target, metres. */
+static double slider_crank_passive_corrected(
+    const double q[SLIDER_CRANK_PASSIVE_SOLVED], int evaluations, const double target[12], const double *given,
     slider_crank_passive_solution *found)
 {
     const slider_crank_solved_for joints = {SLIDER_CRANK_PASSIVE_SOLVED, slider_crank_passive_see_joints, given, 0};
-    /* Those of an arm's design are farther from the solutions. */
-    const int steps = SLIDER_CRANK_PASSIVE_TAKEN < 0.0 ? 60 : 12;
     slider_crank_linearization here;
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
-        here.q[i] = lanes->q[i][k];
+        here.q[i] = q[i];
     }
-    /* Branches of a design say where the arm may be singular. */
-    found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, steps, &here)
-        || (SLIDER_CRANK_PASSIVE_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
+    found->singular = slider_crank_correct(&slider_crank_passive_own_metric, &joints, target, evaluations, &here);
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
         here.q[i] = slider_crank_passive_turns[slider_crank_passive_solved[i]] ? slider_crank_wrap(here.q[i]) : here.q[i];
     }
     slider_crank_passive_whole(here.q, given, found->q);
     found->residual = here.residual;
-    found->branch = k;
-    return found->residual <= SLIDER_CRANK_PASSIVE_TOLERANCE;
+    return here.residual;
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
-static int slider_crank_passive_add_corrected(
-    const slider_crank_passive_lanes *lanes, const double target[12], const double *given,
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
+ * one that reaches the target, it takes the place of the nearest. */
+static void slider_crank_passive_stay_at_seed(
+    const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double target[12], const double *given,
     slider_crank_passive_solution *solutions, int count)
 {
+    slider_crank_passive_solution there;
+    double q[SLIDER_CRANK_PASSIVE_JOINTS], least = HUGE_VAL;
+    int nearest = -1;
+    slider_crank_passive_whole(seed, given, q);
+    for (int k = 0; k < count; ++k) {
+        double apart = 0.0;
+        for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
+            const double by = slider_crank_passive_joint_distance(i, solutions[k].q[i], q[i]);
+            apart += by * by;
+        }
+        if (solutions[k].singular && apart < least) {
+            least = apart;
+            nearest = k;
+        }
+    }
+    if (nearest >= 0 && slider_crank_passive_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_PASSIVE_SIZE)
+        && there.singular && slider_crank_passive_known_place(there.q, solutions, count) < 0) {
+        there.branch = solutions[nearest].branch;
+        solutions[nearest] = there;
+    }
+}
+
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
+ * is singular, the seed may be as well. */
+static int slider_crank_passive_add_corrected(
+    const slider_crank_passive_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED],
+    const double *given, slider_crank_passive_solution *solutions, int count)
+{
+    /* Those of an arm's design are farther from the solutions. */
+    const int evaluations = SLIDER_CRANK_PASSIVE_TAKEN < 0.0 ? 60 : 12;
     if (!(slider_crank_rotation_error(&slider_crank_passive_own_metric, target) * SLIDER_CRANK_PASSIVE_SIZE <= SLIDER_CRANK_PASSIVE_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
+        double q[SLIDER_CRANK_PASSIVE_SOLVED];
         slider_crank_passive_solution found;
+        for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
+            q[i] = lanes->q[i][k];
+        }
         if (lanes->invalid[k] <= 0.0 && residual > SLIDER_CRANK_PASSIVE_TAKEN && residual <= SLIDER_CRANK_PASSIVE_NEARLY
-            && slider_crank_passive_corrected(lanes, k, target, given, &found)) {
+            && slider_crank_passive_corrected(q, evaluations, target, given, &found) <= SLIDER_CRANK_PASSIVE_TOLERANCE) {
+            found.branch = k;
+            /* Branches of a design say where the arm may be singular. */
+            found.singular = found.singular || (SLIDER_CRANK_PASSIVE_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
             count = slider_crank_passive_insert(&found, solutions, count);
         }
     }
+    slider_crank_passive_stay_at_seed(seed, target, given, solutions, count);
     return count;
 }
 
@@ -1911,13 +2054,14 @@ static int slider_crank_passive_solve(
             solutions[count].residual = lanes.residual[k];
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
+            nearly |= solutions[count].singular;
             ++count;
         } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_passive_add_corrected(&lanes, target, given, solutions, count);
+        count = slider_crank_passive_add_corrected(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_passive_own_metric, target);
 }

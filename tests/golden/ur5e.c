@@ -1614,72 +1614,119 @@ static void ur5e_see_joints(
     }
 }
 
-/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
-static int ur5e_insert(const ur5e_solution *found, ur5e_solution *solutions, int count)
+/* How far two values of a joint are apart, full turns left out. */
+static double ur5e_joint_distance(int joint, double a, double b)
+{
+    return fabs(ur5e_turns[joint] ? ur5e_wrap(a - b) : a - b);
+}
+
+/* The place of a configuration among some solutions, -1 if it is none of them. */
+static int ur5e_known_place(const double q[UR5E_JOINTS], const ur5e_solution *solutions, int count)
 {
     for (int known = 0; known < count; ++known) {
         int same = 1;
         for (int i = 0; i < UR5E_JOINTS; ++i) {
-            const double off = found->q[i] - solutions[known].q[i];
-            const double apart = ur5e_turns[i] ? fabs(ur5e_wrap(off)) : fabs(off);
-            same = same && apart < 1e-6;
+            same = same && ur5e_joint_distance(i, q[i], solutions[known].q[i]) < 1e-6;
         }
         if (same) {
-            if (found->residual < solutions[known].residual) {
-                const int branch = solutions[known].branch;
-                solutions[known] = *found;
-                solutions[known].branch = branch;
-            }
-            return count;
+            return known;
         }
     }
-    if (count < UR5E_MAX_SOLUTIONS) {
+    return -1;
+}
+
+/* Adds a solution, unless it is one of those that are there; of two the better one stays. */
+static int ur5e_insert(const ur5e_solution *found, ur5e_solution *solutions, int count)
+{
+    const int known = ur5e_known_place(found->q, solutions, count);
+    if (known >= 0) {
+        if (found->residual < solutions[known].residual) {
+            const int branch = solutions[known].branch;
+            solutions[known] = *found;
+            solutions[known].branch = branch;
+        }
+    } else if (count < UR5E_MAX_SOLUTIONS) {
         solutions[count] = *found;
         ++count;
     }
     return count;
 }
 
-/* A branch that misses its target, corrected; whether it reaches it then. */
-static int ur5e_corrected(
-    const ur5e_lanes *lanes, int k, const double target[12], const double *given,
+/* Where Levenberg's method leads from a configuration, and how far that is from the target, metres. */
+static double ur5e_corrected(
+    const double q[UR5E_SOLVED], int evaluations, const double target[12], const double *given,
     ur5e_solution *found)
 {
     const ur5e_solved_for joints = {UR5E_SOLVED, ur5e_see_joints, given, 0};
-    /* Those of an arm's design are farther from the solutions. */
-    const int steps = UR5E_TAKEN < 0.0 ? 60 : 12;
     ur5e_linearization here;
     for (int i = 0; i < UR5E_SOLVED; ++i) {
-        here.q[i] = lanes->q[i][k];
+        here.q[i] = q[i];
     }
-    /* Branches of a design say where the arm may be singular. */
-    found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, steps, &here)
-        || (UR5E_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
+    found->singular = ur5e_correct(&ur5e_own_metric, &joints, target, evaluations, &here);
     for (int i = 0; i < UR5E_SOLVED; ++i) {
         here.q[i] = ur5e_turns[ur5e_solved[i]] ? ur5e_wrap(here.q[i]) : here.q[i];
     }
     ur5e_whole(here.q, given, found->q);
     found->residual = here.residual;
-    found->branch = k;
-    return found->residual <= UR5E_TOLERANCE;
+    return here.residual;
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected. */
-static int ur5e_add_corrected(
-    const ur5e_lanes *lanes, const double target[12], const double *given,
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
+ * one that reaches the target, it takes the place of the nearest. */
+static void ur5e_stay_at_seed(
+    const double seed[UR5E_SOLVED], const double target[12], const double *given,
     ur5e_solution *solutions, int count)
 {
+    ur5e_solution there;
+    double q[UR5E_JOINTS], least = HUGE_VAL;
+    int nearest = -1;
+    ur5e_whole(seed, given, q);
+    for (int k = 0; k < count; ++k) {
+        double apart = 0.0;
+        for (int i = 0; i < UR5E_JOINTS; ++i) {
+            const double by = ur5e_joint_distance(i, solutions[k].q[i], q[i]);
+            apart += by * by;
+        }
+        if (solutions[k].singular && apart < least) {
+            least = apart;
+            nearest = k;
+        }
+    }
+    if (nearest >= 0 && ur5e_corrected(seed, 0, target, given, &there)
+            <= ur5e_max(solutions[nearest].residual, 1e-14 * UR5E_SIZE)
+        && there.singular && ur5e_known_place(there.q, solutions, count) < 0) {
+        there.branch = solutions[nearest].branch;
+        solutions[nearest] = there;
+    }
+}
+
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
+ * is singular, the seed may be as well. */
+static int ur5e_add_corrected(
+    const ur5e_lanes *lanes, const double target[12], const double seed[UR5E_SOLVED],
+    const double *given, ur5e_solution *solutions, int count)
+{
+    /* Those of an arm's design are farther from the solutions. */
+    const int evaluations = UR5E_TAKEN < 0.0 ? 60 : 12;
     if (!(ur5e_rotation_error(&ur5e_own_metric, target) * UR5E_SIZE <= UR5E_TOLERANCE)) {
         return count;
     }
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
         const double residual = lanes->residual[k];
+        double q[UR5E_SOLVED];
         ur5e_solution found;
+        for (int i = 0; i < UR5E_SOLVED; ++i) {
+            q[i] = lanes->q[i][k];
+        }
         if (lanes->invalid[k] <= 0.0 && residual > UR5E_TAKEN && residual <= UR5E_NEARLY
-            && ur5e_corrected(lanes, k, target, given, &found)) {
+            && ur5e_corrected(q, evaluations, target, given, &found) <= UR5E_TOLERANCE) {
+            found.branch = k;
+            /* Branches of a design say where the arm may be singular. */
+            found.singular = found.singular || (UR5E_TAKEN >= 0.0 && lanes->singular[k] > 0.0);
             count = ur5e_insert(&found, solutions, count);
         }
     }
+    ur5e_stay_at_seed(seed, target, given, solutions, count);
     return count;
 }
 
@@ -1702,13 +1749,14 @@ static int ur5e_solve(
             solutions[count].residual = lanes.residual[k];
             solutions[count].branch = k;
             solutions[count].singular = lanes.singular[k] > 0.0;
+            nearly |= solutions[count].singular;
             ++count;
         } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = ur5e_add_corrected(&lanes, target, given, solutions, count);
+        count = ur5e_add_corrected(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : ur5e_why_none(&ur5e_own_metric, target);
 }

@@ -269,7 +269,13 @@ mod __Ur5e {
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(self, pose, &[0.0; 6], &[], |branches| self.sorted(pose, &branches))
+            solve(
+                self,
+                pose,
+                &[0.0; 6],
+                &[],
+                |branches| self.sorted(pose, &[0.0; 6], &branches),
+            )
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -278,7 +284,7 @@ mod __Ur5e {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, &branches))
+            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -301,9 +307,20 @@ mod __Ur5e {
         }
 
         #[cold]
-        fn sorted(&self, pose: &Pose, branches: &Branches<6, 8>) -> Solutions<6> {
+        fn sorted(
+            &self,
+            pose: &Pose,
+            seed: &[f64; 6],
+            branches: &Branches<6, 8>,
+        ) -> Solutions<6> {
             branches
-                .corrected(|q| self.fk_jacobian(q), pose, Target::Pose, &Self::ACCEPT)
+                .corrected(
+                    |q| self.fk_jacobian(q),
+                    pose,
+                    Target::Pose,
+                    seed,
+                    &Self::ACCEPT,
+                )
         }
 
         /// The solution that moves the joints least from `seed` (radians), inside
@@ -322,7 +339,7 @@ mod __Ur5e {
                 &[],
                 const { &Nearest::new([0.0; 6], &Self::LIMITS) },
                 seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, seed, &branches),
             )
         }
 
@@ -341,7 +358,7 @@ mod __Ur5e {
                 &[],
                 nearest,
                 &nearest.seed,
-                |branches| self.sorted(pose, &branches),
+                |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }
 

@@ -115,6 +115,35 @@ const OF_REST: [[&str; 2]; 1] = [["residual[0] < 1e-2", "residual[0] < 1e-20"]];
 /// The same in JavaScript.
 const OF_REST_IN_JS: [[&str; 2]; 1] = [["residual < 1e-2", "residual < 1e-20"]];
 
+/// The same of what stays at the seed where two singularities meet.
+const OF_STAYING: [[&str; 2]; 3] = [
+    [
+        "<= mistaken_max(solutions",
+        "< 0.0 * mistaken_max(solutions",
+    ],
+    ["&& there.singular", "&& !there.singular"],
+    [
+        "solutions[k].singular && apart",
+        "!solutions[k].singular && apart",
+    ],
+];
+
+/// The same in JavaScript.
+const OF_STAYING_IN_JS: [[&str; 2]; 3] = [
+    [
+        "missed <= Math.max(nearest",
+        "missed < 0.0 * Math.max(nearest",
+    ],
+    [
+        "&& found.singular && $known",
+        "&& !found.singular && $known",
+    ],
+    [
+        "filter(({ singular }) => singular).reduce(nearer",
+        "filter(({ singular }) => !singular).reduce(nearer",
+    ],
+];
+
 /// The same of joints that are given, some of them between those that are solved for.
 const OF_GIVEN: [[&str; 2]; 4] = [
     ["-given[1 + i]", "given[1 + i]"],
@@ -365,6 +394,15 @@ fn mistakes_of_rest_are_found() {
     each_of_is_found("mistakes_of_rest", &of_rest(), &OF_REST);
 }
 
+fn of_staying() -> Asked {
+    Asked::of("robots/panda.yaml", Options::default())
+}
+
+#[test]
+fn mistakes_of_staying_are_found() {
+    each_of_is_found("mistakes_of_staying", &of_staying(), &OF_STAYING);
+}
+
 #[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
@@ -415,6 +453,7 @@ fn mistakes_in_javascript_are_found() {
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),
         (of_rest(), &OF_REST_IN_JS[..]),
+        (of_staying(), &OF_STAYING_IN_JS[..]),
         (of_turning, &OF_TURNING_IN_JS[..]),
         (of_parabolas, &OF_PARABOLAS[..]),
         (of_slides, &OF_SLIDES_IN_JS[..]),

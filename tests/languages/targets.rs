@@ -135,6 +135,15 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         let seed = joints.map(|i| home[i % 6] + off[i % 6]);
         (robot.fk(&held), seed.collect())
     }));
+    // At rest beside two singularities at once, of a UR5e and a Panda: what is left of an angle is rounding.
+    let twice = match robot.joints() {
+        7 => vec![0.4, 3e-9, -0.7, -1.9, FRAC_PI_2 + 2e-9, 1.2, 0.5],
+        joints => {
+            let twice = [1.06, -1.81, 2e-10, 0.8, -9.4e-10, 0.19];
+            (0..joints).map(|i| twice[i % 6]).collect()
+        }
+    };
+    all.push((robot.fk(&twice), twice));
     // Just out of reach.
     all.extend(beyond_reach(robot, &pose).map(|pose| (pose, configurations[1].clone())));
     all

@@ -6,9 +6,10 @@ use crate::subject::Subject;
 use kin_codegen::Target;
 use kinematics::{
     Criterion, Follow, JointLimit, Nearest, NoSolution, Parameter, Pose, RedundantKinematics,
-    SelfMotionOptions, self_motions,
+    Robot, SelfMotionOptions, self_motions,
 };
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
 
 fn anywhere(random: &mut Random) -> [f64; 7] {
     std::array::from_fn(|_| random.angle())
@@ -227,4 +228,29 @@ fn the_nearest_is_found_where_joints_turn_within_little_of_the_parameter() {
 
 fn anywhere_within(limits: &[JointLimit; 7], random: &mut Random) -> [f64; 7] {
     limits.map(|limit| random.between(limit.lower().max(-PI), limit.upper().min(PI)))
+}
+
+/// With the shoulder straight up and joint 5 a quarter turn away, what tells the shoulder's angles is
+/// shorter than the rounding of what is before it.
+#[test]
+fn beside_two_singularities_it_rests() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let robot = Robot::from_yaml(folder.join("robots/panda.yaml")).unwrap();
+    let mut random = Random::new(59);
+    for k in 0..1400 {
+        let off = 10_f64.powi(-7 - k % 7);
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.between(-1.5, 1.5));
+        q[1] = off * random.between(-1.0, 1.0);
+        q[3] = random.between(-2.8, -0.8);
+        q[4] = FRAC_PI_2 + off * random.between(-1.0, 1.0);
+        q[5] += 1.8;
+        let target = crate::Panda.fk(&q);
+        let generated = crate::Panda.ik_nearest_at(&target, q[6], &q).unwrap();
+        let at_run_time = robot.ik_nearest_at(&target, &q[6..], &q).unwrap();
+        for nearest in [&generated.q[..], &at_run_time.q] {
+            let moved = nearest.iter().zip(&q).map(|(a, b)| (a - b).abs());
+            let moved = moved.fold(0.0, f64::max);
+            assert!(moved < 1e-6, "{moved} from {q:?}");
+        }
+    }
 }

@@ -336,6 +336,28 @@ fn a_straight_wrist_rests_while_the_elbow_is_nearly_stretched() {
     }
 }
 
+/// With the elbow straight and the wrist aligned, what tells the shoulder's angles is shorter than the
+/// rounding of what is before it.
+#[test]
+fn beside_two_singularities_it_rests() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let robot = Robot::from_urdf(folder.join("robots/ur5e.urdf")).unwrap();
+    let mut random = Random::new(53);
+    for k in 0..1400 {
+        let off = 10_f64.powi(-7 - k % 7);
+        let mut q: [f64; 6] = std::array::from_fn(|_| random.between(-2.0, 2.0));
+        q[2] = off * random.between(-1.0, 1.0);
+        q[4] = off * random.between(-1.0, 1.0);
+        let target = robot.fk(&q);
+        let generated = crate::zoo::Ur5e.ik_nearest(&target, &q).unwrap();
+        let at_run_time = robot.ik_nearest(&target, &q).unwrap();
+        for nearest in [&generated.q[..], &at_run_time.q] {
+            let moved = largest(nearest.iter().zip(&q).map(|(a, b)| a - b));
+            assert!(moved < 1e-6, "{moved} from {q:?}");
+        }
+    }
+}
+
 fn read(text: &str, target: Target) -> Robot {
     let source = RobotSource {
         path: "arm.yaml".into(),

@@ -295,7 +295,7 @@ impl ClosedForm {
                     arm.at(between)
                         .refined(&carried, begun, seed, count, self.least_conditioning())
                 };
-                let corrected = || self.refined(target, parameters, existing(branches));
+                let corrected = || self.refined(target, parameters, existing(branches), seed);
                 let degenerates = || begun.iter().any(|branch| branch.singular);
                 let nearly = self.acceptance().nearly;
                 let nearly_reach = || begun.iter().any(|branch| branch.residual <= nearly);
@@ -309,7 +309,7 @@ impl ClosedForm {
                     Completion::Degenerate => corrected(),
                 }
             }
-            _ => self.refined(target, parameters, existing(branches)),
+            _ => self.refined(target, parameters, existing(branches), seed),
         }
     }
 
@@ -403,17 +403,19 @@ impl ClosedForm {
         target: &Pose,
         parameters: &[f64],
         starts: impl Iterator<Item = Solution<N>> + Clone,
+        seed: Option<&[f64; N]>,
     ) -> Solutions<N> {
         let accept = self.acceptance();
+        let seed = seed.unwrap_or(&[0.0; N]);
         if let Some(forward) = &self.single {
-            return forward.corrected(target, self.plan.target, starts, &accept);
+            return forward.corrected(target, self.plan.target, starts, seed, &accept);
         }
         let projection = self.projection();
         let target = projection.target(target);
         let fk_jacobian =
             |q: &[f64; N]| projection.fk_jacobian(self.given.fk_jacobian(q, parameters));
         let problem = Problem::new(fk_jacobian, &target, self.plan.target, &accept);
-        correct_branches(&problem, starts, &accept)
+        correct_branches(&problem, starts, seed, &accept)
     }
 
     /// How targets see the tip of the arm as given.
@@ -445,7 +447,7 @@ impl ClosedForm {
             fk_jacobian: |q: &[f64; 7]| self.given.fk_jacobian(q, &[]),
         };
         let branches = self.branches::<7>(target, parameters, seed);
-        arm.corrected(target, branches.into_iter(), &self.acceptance())
+        arm.corrected(target, branches.into_iter(), seed, &self.acceptance())
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none

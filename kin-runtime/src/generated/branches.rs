@@ -82,18 +82,19 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 
     /// The branches that reach the target, those that rounding or idealization keeps from it
-    /// after a correction; see [`correct_branches`]. The arm is given by its pose
-    /// and spatial Jacobian.
+    /// after a correction, and of a singular one's family what is nearest to `seed`; see
+    /// [`correct_branches`]. The arm is given by its pose and spatial Jacobian.
     #[inline(always)]
     pub fn corrected(
         &self,
         fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
+        seed: &[Real; N],
         accept: &Acceptance,
     ) -> Solutions<N> {
-        match self.nearly(accept) {
-            true => self.correct(fk_jacobian, target, counts, accept),
+        match self.nearly(accept) | self.are_singular(accept) {
+            true => self.correct(fk_jacobian, target, counts, seed, accept),
             false => self.solutions(accept),
         }
     }
@@ -108,6 +109,17 @@ impl<const N: usize, const L: usize> Branches<N, L> {
             nearly |= (self.invalid[k] <= 0.0) & misses & little;
         }
         nearly
+    }
+
+    /// Whether of a branch that reaches the target a root is double or an angle free.
+    #[inline(always)]
+    pub(super) fn are_singular(&self, accept: &Acceptance) -> bool {
+        let mut singular = false;
+        for k in 0..L {
+            let reaches = (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.taken);
+            singular |= reaches & (self.singular[k] > 0.0);
+        }
+        singular
     }
 
     /// Whether solutions are sought from a branch: if it exists or reaches the target.
@@ -155,10 +167,11 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         fk_jacobian: impl Fn(&[Real; N]) -> (Pose, Jacobian<N>),
         target: &Pose,
         counts: Target,
+        seed: &[Real; N],
         accept: &Acceptance,
     ) -> Solutions<N> {
         let problem = Problem::new(fk_jacobian, target, counts, accept);
-        correct_branches(&problem, self.existing(), accept)
+        correct_branches(&problem, self.existing(), seed, accept)
     }
 
     /// The branch that comes nearest to the target by its own residual; none
@@ -224,7 +237,8 @@ fn least<const L: usize>(mut numbers: [Real; L]) -> Real {
 }
 
 impl<const L: usize> Branches<7, L> {
-    /// The branches at an angle of a swivel that reach the target, the others after a correction.
+    /// The branches at an angle of a swivel that reach the target, the others after a correction; of
+    /// a singular one's family what is nearest to `seed`.
     #[inline]
     pub fn at_swivel(
         &self,
@@ -233,10 +247,11 @@ impl<const L: usize> Branches<7, L> {
             impl Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
         >,
         target: &Pose,
+        seed: &[Real; 7],
         accept: &Acceptance,
     ) -> Solutions<7> {
-        match self.nearly(accept) {
-            true => arm.corrected(target, self.existing(), accept),
+        match self.nearly(accept) | self.are_singular(accept) {
+            true => arm.corrected(target, self.existing(), seed, accept),
             false => self.solutions(accept),
         }
     }

@@ -62,7 +62,8 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize>
 
 impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L, T, F> {
     /// Positive for targets that ask for more: with a free joint that leaves a later root
-    /// none, a branch that rounding may keep from the target, or solutions that no branch tells.
+    /// none, a branch that is singular or that rounding may keep from the target, or solutions that
+    /// no branch tells.
     #[inline(always)]
     pub(super) fn unsettled(&self, completion: Completion, accept: &Acceptance) -> [Real; T] {
         let mut unsettled = [0.0; T];
@@ -71,7 +72,8 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
                 let misses = self.residual[k][t] > accept.taken;
                 let little = self.residual[k][t] <= accept.nearly;
                 let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
-                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, 0.0));
+                let singular = self.reaches(k, t, accept) & (self.singular[k][t] > 0.0);
+                unsettled[t] = math::max(unsettled[t], math::select(nearly | singular, 1.0, 0.0));
                 for no_root in &self.no_root {
                     unsettled[t] = math::max(unsettled[t], no_root[k][t]);
                 }
@@ -124,21 +126,14 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
     fn settled(&self, completion: Completion, accept: &Acceptance) -> bool {
-        let asks = self.free_joints().leave_no_root() | self.branches().nearly(accept);
+        let branches = self.branches();
+        let asks = self.free_joints().leave_no_root()
+            | branches.nearly(accept)
+            | branches.are_singular(accept);
         match completion {
             Completion::Never => !asks,
-            _ => !(asks | self.branches().are_completed(completion, accept)),
+            _ => !(asks | branches.are_completed(completion, accept)),
         }
-    }
-
-    /// Whether of a branch that reaches the target a root is double or an angle free.
-    #[inline(always)]
-    fn singular(&self, accept: &Acceptance) -> bool {
-        let mut singular = false;
-        for k in 0..L {
-            singular |= self.reaches(k, 0, accept) & (self.singular[k][0] > 0.0);
-        }
-        singular
     }
 
     #[inline(always)]
@@ -194,8 +189,6 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
-    /// Whether angles that are free are to be at this seed.
-    seeded: bool,
     solver: PhantomData<R>,
 }
 
@@ -217,7 +210,6 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
-            seeded: true,
             solver: PhantomData,
         }
     }
@@ -265,15 +257,10 @@ where
         &self,
         nearest: &Nearest<N>,
         seed: &[Real; N],
-        motion: &Motion<'_, N>,
         otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
-        let mut solution = None;
-        if let Some(found) = self.ask(Asked::Nearest(motion, &mut solution)) {
-            let nearest = nearest.from_seed(*seed);
-            solution = otherwise(self.with_root(found)).nearest_by(&nearest);
-        }
-        solution
+        let nearest = nearest.from_seed(*seed);
+        otherwise(self.with_root(self.branches())).nearest_by(&nearest)
     }
 }
 
@@ -303,10 +290,7 @@ where
                 lanes.write(0, accept, place);
                 None
             }
-            Asked::Nearest(motion, place)
-                if lanes.settled(R::COMPLETION, accept)
-                    & (given.seeded | !lanes.singular(accept)) =>
-            {
+            Asked::Nearest(motion, place) if lanes.settled(R::COMPLETION, accept) => {
                 *place = lanes.branches().choose(accept, motion);
                 None
             }
@@ -363,15 +347,12 @@ pub fn solve_nearest<
 where
     R: Inverse<N, L, P, M, F>,
 {
-    let given = Given {
-        seeded: false,
-        ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
-    };
+    let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
     if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
         let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
-        solution = given.nearest(nearest, seed, &motion, otherwise);
+        solution = given.nearest(nearest, seed, otherwise);
     }
     solution
 }

@@ -130,10 +130,11 @@ impl<const K: usize> Locked<K> {
         fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
         target: &Pose,
         counts: Target,
+        seed: &[Real; M],
         accept: &Acceptance,
     ) -> Solutions<M> {
-        match branches.nearly(accept) {
-            true => self.correct(branches, fk_jacobian, target, counts, accept),
+        match branches.nearly(accept) | branches.are_singular(accept) {
+            true => self.correct(branches, fk_jacobian, target, counts, seed, accept),
             false => self.solutions(branches, accept),
         }
     }
@@ -146,10 +147,17 @@ impl<const K: usize> Locked<K> {
         fk_jacobian: impl Fn(&[Real; M]) -> (Pose, Jacobian<M>),
         target: &Pose,
         counts: Target,
+        seed: &[Real; M],
         accept: &Acceptance,
     ) -> Solutions<M> {
         let problem = self.problem(fk_jacobian, target, counts, accept);
-        self.all(&correct_branches(&problem, branches.existing(), accept))
+        let seed = self.others(seed);
+        self.all(&correct_branches(
+            &problem,
+            branches.existing(),
+            &seed,
+            accept,
+        ))
     }
 
     /// The arm of the others.

@@ -164,12 +164,7 @@ impl<const N: usize> Solutions<N> {
     /// within [`SAME`]: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.
     pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
-        let apart = |i: usize, a: Real, b: Real| {
-            let turns = self.prismatic >> i & 1 == 0;
-            math::select(turns, math::wrap(a - b), a - b).abs()
-        };
-        let same = |other: &Solution<N>| (0..N).all(|i| apart(i, other.q[i], solution.q[i]) < SAME);
-        let Some(known) = self.iter().position(same) else {
+        let Some(known) = self.place_of(&solution.q) else {
             let place = self.len;
             self.push_if(true, solution);
             return (place < self.len).then_some(place);
@@ -179,6 +174,33 @@ impl<const N: usize> Solutions<N> {
             self.slots[known].write(Solution { branch, ..solution });
         }
         Some(known)
+    }
+
+    /// The place of a solution, to within [`SAME`].
+    pub(crate) fn place_of(&self, q: &[Real; N]) -> Option<usize> {
+        let same = |it: &Solution<N>| (0..N).all(|i| self.apart(i, it.q[i], q[i]) < SAME);
+        self.iter().position(same)
+    }
+
+    /// How far two configurations are apart, radians and metres: the square of it.
+    pub(crate) fn squared_distance(&self, a: &[Real; N], b: &[Real; N]) -> Real {
+        let apart = (0..N).map(|i| self.apart(i, a[i], b[i]));
+        apart.fold(0.0, |square, apart| square + apart * apart)
+    }
+
+    fn apart(&self, i: usize, a: Real, b: Real) -> Real {
+        let turns = self.prismatic >> i & 1 == 0;
+        math::select(turns, math::wrap(a - b), a - b).abs()
+    }
+
+    /// Moves the solution in some place.
+    pub(crate) fn replace(&mut self, place: usize, q: [Real; N], residual: Real) {
+        let moved = Solution {
+            q,
+            residual,
+            ..self[place]
+        };
+        self.slots[place].write(moved);
     }
 
     /// The solutions found, in order of their branch.

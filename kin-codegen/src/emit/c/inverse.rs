@@ -261,17 +261,19 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
         (true, true) => "",
         (true, false) => {
             "    if (nearly) {\n        double seen[12];\n        \
-             kin_project_target(target, seen);\n        count = kin_add_corrected(&lanes, seen, given, solutions, count);\n    }\n"
+             kin_project_target(target, seen);\n        count = kin_add_corrected(&lanes, seen, seed, given, \
+             solutions, count);\n    }\n"
         }
         (false, _) => {
-            "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, given, \
+            "    if (nearly) {\n        count = kin_add_corrected(&lanes, target, seed, given, \
              solutions, count);\n    }\n"
         }
     };
-    let (mark, marked) = match corrected {
-        "" => ("", ""),
+    let (mark, singular, marked) = match corrected {
+        "" => ("", "", ""),
         _ => (
             "    int nearly = 0;\n",
+            "            nearly |= solutions[count].singular;\n",
             " else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_NEARLY) {\n            \
              nearly = 1;\n        }",
         ),
@@ -289,7 +291,7 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
          kin_whole(q, given, solutions[count].q);\n            \
          solutions[count].residual = lanes.residual[k];\n            \
          solutions[count].branch = k;\n            \
-         solutions[count].singular = lanes.singular[k] > 0.0;\n            ++count;\n        }}{marked}\n    }}\n\
+         solutions[count].singular = lanes.singular[k] > 0.0;\n{singular}            ++count;\n        }}{marked}\n    }}\n\
          {corrected}{unanswered}    return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     )
 }

@@ -81,8 +81,13 @@ fn solve(solver: &ClosedForm, seed: &TokenStream) -> TokenStream {
 
 /// The solutions where lanes do not tell them.
 fn otherwise(solver: &ClosedForm, seed: &TokenStream) -> TokenStream {
-    let seed = (solver.completion() != Completion::Never).then(|| quote!(#seed,));
+    let seed = takes_seed(solver).then(|| quote!(#seed,));
     quote!(|branches| self.sorted(pose, #seed &branches))
+}
+
+/// Whether a seed tells which of a singular target's solutions these are where lanes do not.
+fn takes_seed(solver: &ClosedForm) -> bool {
+    !(solver.plan.target.is_projected() && solver.is_exact())
 }
 
 /// All solutions of another one.
@@ -99,7 +104,7 @@ fn refined(solver: &ClosedForm) -> TokenStream {
 fn unsettled(solver: &ClosedForm) -> Option<TokenStream> {
     let [n, width, _] = sizes(solver);
     let sorted = sorted(solver);
-    let seed = (solver.completion() != Completion::Never).then(|| quote!(seed: &[f64; #n],));
+    let seed = takes_seed(solver).then(|| quote!(seed: &[f64; #n],));
     let unread = solver
         .plan
         .target
@@ -327,7 +332,7 @@ pub fn sorted(solver: &ClosedForm) -> TokenStream {
     };
     let target = format_ident!("{target:?}");
     let corrected = quote! {
-        branches.corrected(|q| #fk_jacobian, #pose, Target::#target, &Self::ACCEPT)
+        branches.corrected(|q| #fk_jacobian, #pose, Target::#target, seed, &Self::ACCEPT)
     };
     match &solver.refinement {
         Refinement::Correction => corrected,

@@ -241,7 +241,7 @@ fn sorted(solver: &ClosedForm, given: &[TokenStream], seed: &TokenStream) -> Tok
     }
     let target = format_ident!("{target:?}");
     let arm = quote!(|q| self.fk_jacobian(q), pose, Target::#target);
-    let corrected = quote!(locked.corrected(&branches, #arm, &Self::ACCEPT));
+    let corrected = quote!(locked.corrected(&branches, #arm, seed, &Self::ACCEPT));
     match &solver.refinement {
         Refinement::Univariate(_) => {
             let (arm, target) = (at_given(solver, given), carried(solver, given));
@@ -263,7 +263,7 @@ fn at_swivel(angle: &TokenStream) -> TokenStream {
             links: |q: &_| self.fk_links(q),
             fk_jacobian: |q: &_| self.fk_jacobian(q),
         };
-        branches.at_swivel(&arm, pose, &Self::ACCEPT)
+        branches.at_swivel(&arm, pose, seed, &Self::ACCEPT)
     }
 }
 

@@ -6,9 +6,9 @@
 //! configurations (see [`levenberg`]).
 
 use super::super::super::generated::acceptance::Acceptance;
-use super::super::super::scalar::Real;
+use super::super::super::scalar::{Real, tolerance};
 use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
-use super::levenberg::levenberg;
+use super::levenberg::{Arrived, levenberg};
 use super::linearization::Problem;
 
 /// Evaluations at most; a regular branch of an exact arm takes two.
@@ -18,10 +18,11 @@ const STEPS: usize = 12;
 const STEPS_OF_DESIGN: usize = 60;
 
 /// The branches that reach their target, those that nearly do after a
-/// correction.
+/// correction; where one is singular, see [`stay_at_seed`].
 pub fn correct_branches<const N: usize>(
     problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     branches: impl Iterator<Item = Solution<N>> + Clone,
+    seed: &[Real; N],
     accept: &Acceptance,
 ) -> Solutions<N> {
     let reaches = |branch: &Solution<N>| branch.residual <= accept.taken;
@@ -35,13 +36,9 @@ pub fn correct_branches<const N: usize>(
         }
         for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
             let found = levenberg(problem, branch.q, steps(accept));
-            let q = core::array::from_fn(|i| {
-                let slides = accept.prismatic >> i & 1 == 1;
-                math::select(slides, found.q[i], math::wrap(found.q[i]))
-            });
             if found.residual <= accept.tolerance {
                 solutions.insert_distinct(Solution {
-                    q,
+                    q: wrapped(found.q, accept),
                     residual: found.residual,
                     // Of a design it says where the arm may be singular.
                     singular: found.singular || branch.singular && !accept.is_of_design(),
@@ -49,6 +46,39 @@ pub fn correct_branches<const N: usize>(
                 });
             }
         }
+        if solutions.iter().any(|it| it.singular) {
+            stay_at_seed(solutions, levenberg(problem, *seed, 0), accept);
+        }
+    })
+}
+
+/// A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed
+/// is one that reaches the target, it takes the place of the nearest.
+pub(super) fn stay_at_seed<const N: usize>(
+    solutions: &mut Solutions<N>,
+    seed: Arrived<N>,
+    accept: &Acceptance,
+) {
+    let q = wrapped(seed.q, accept);
+    let singular = (0..solutions.len()).filter(|&place| solutions[place].singular);
+    let apart = |place: &usize| solutions.squared_distance(&solutions[*place].q, &q);
+    let Some(nearest) = singular.min_by(|a, b| apart(a).total_cmp(&apart(b))) else {
+        return;
+    };
+    let reached = math::max(
+        solutions[nearest].residual,
+        tolerance::ROUNDING * accept.size,
+    );
+    if seed.singular && seed.residual <= reached && solutions.place_of(&q).is_none() {
+        solutions.replace(nearest, q, seed.residual);
+    }
+}
+
+/// Angles in (−π, π].
+fn wrapped<const N: usize>(q: [Real; N], accept: &Acceptance) -> [Real; N] {
+    core::array::from_fn(|i| {
+        let slides = accept.prismatic >> i & 1 == 1;
+        math::select(slides, q[i], math::wrap(q[i]))
     })
 }
 

@@ -8,8 +8,8 @@ use super::super::super::generated::acceptance::Acceptance;
 use super::super::super::linear::vector::{add, cross, dot, sub};
 use super::super::super::scalar::Real;
 use super::super::super::{Jacobian, Pose, Solution, Solutions, Swivel, Target, math};
-use super::correction::steps;
-use super::levenberg::arrive;
+use super::correction::{stay_at_seed, steps};
+use super::levenberg::{Arrived, arrive};
 use super::linearization::{Linearization, Problem};
 
 /// An arm of seven joints at an angle of its swivel.
@@ -30,11 +30,13 @@ where
     Links: Fn(&[Real; 7]) -> [Pose; 7],
     FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
-    /// The branches that reach the target, those that nearly do after a correction.
+    /// The branches that reach the target, those that nearly do after a correction; of a singular one's
+    /// family what is nearest to `seed`.
     pub fn corrected(
         &self,
         target: &Pose,
         branches: impl Iterator<Item = Solution<7>> + Clone,
+        seed: &[Real; 7],
         accept: &Acceptance,
     ) -> Solutions<7> {
         let reaches = |branch: &Solution<7>| branch.residual <= accept.taken;
@@ -67,6 +69,20 @@ where
                 rows,
             }
         };
+        let arrived = |q: &[Real; 7], steps: usize| {
+            let found = arrive(linearize, accept.size, *q, steps);
+            let q = found.q.map(math::wrap);
+            let (_, ahead) = beside(&q, direction);
+            let (pose, _) = (self.fk_jacobian)(&q);
+            let residual = Target::Pose.distance(&pose, target, accept.size);
+            let reaches = found.residual <= accept.tolerance && ahead >= -accept.tolerance;
+            let singular = found.singular;
+            reaches.then_some(Arrived {
+                q,
+                residual,
+                singular,
+            })
+        };
         Solutions::build_with_prismatic(accept.prismatic, |solutions| {
             for branch in branches.clone().filter(reaches) {
                 solutions.push_if(true, branch);
@@ -75,18 +91,19 @@ where
                 return;
             }
             for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
-                let found = arrive(linearize, accept.size, branch.q, steps(accept));
-                let q = found.q.map(math::wrap);
-                let (_, ahead) = beside(&q, direction);
-                let (pose, _) = (self.fk_jacobian)(&q);
-                if found.residual <= accept.tolerance && ahead >= -accept.tolerance {
+                if let Some(found) = arrived(&branch.q, steps(accept)) {
                     solutions.insert_distinct(Solution {
-                        q,
-                        residual: Target::Pose.distance(&pose, target, accept.size),
-                        singular: found.singular || branch.singular,
+                        q: found.q,
+                        residual: found.residual,
+                        singular: found.singular || branch.singular && !accept.is_of_design(),
                         ..branch
                     });
                 }
+            }
+            if solutions.iter().any(|it| it.singular)
+                && let Some(there) = arrived(seed, 0)
+            {
+                stay_at_seed(solutions, there, accept);
             }
         })
     }

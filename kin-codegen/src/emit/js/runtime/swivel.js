@@ -41,9 +41,9 @@ const $half_plane = ({ shoulder, reference }, angle, wrist) => {
     };
 };
 
-/* A branch at a swivel angle that misses its target, corrected: how far the elbow is from its half
- * plane is one more coordinate of the target. Null if it stays off. */
-const $at_swivel = (arm, target, given, whole, branch, singular) => {
+/* Where Levenberg's method leads from a configuration at a swivel angle: how far the elbow is from its
+ * half plane is one more coordinate of the target; infinitely far on the other side. */
+const $at_swivel = (arm, target, given, whole, evaluations) => {
     const { form } = arm;
     const { swivel } = form;
     const { direction, normal } = $half_plane(swivel, given[0], $point(target, swivel.wrist));
@@ -67,11 +67,10 @@ const $at_swivel = (arm, target, given, whole, branch, singular) => {
             rows: [...rows, row],
         };
     };
-    const found = $correct(linearize, form.size, [...whole], $steps(form));
-    const q = found.q.map($wrap);
-    if (!(found.residual <= form.tolerance && along(elbow_of(q), direction) >= -form.tolerance)) {
-        return null;
-    }
-    const residual = $distance(form, arm.fk(q), target);
-    return { q, residual, branch, singular: found.singular || singular };
+    const { q, residual: missed, singular } = $correct(linearize, form.size, [...whole], evaluations);
+    const all = q.map($wrap);
+    return {
+        missed: along(elbow_of(all), direction) >= -form.tolerance ? missed : Infinity,
+        found: { q: all, residual: $distance(form, arm.fk(all), target), singular },
+    };
 };

@@ -71,7 +71,7 @@ const $solve_refining = (arm, target, seed, given) => {
     const lanes = $branches(form, target, seed, given);
     const degenerates = lanes.singular.some((_, k) => $is_degenerate(form, lanes, k));
     if (completion === "unanswered" || (completion === "degenerate" && !degenerates)) {
-        const told = $reaching(arm, target, given, lanes);
+        const told = $reaching(arm, target, given, seed, lanes);
         const nearly_reach = lanes.residual.some((residual) => residual <= form.nearly);
         if (completion === "degenerate" || told.length > 0 || !nearly_reach) {
             return told;

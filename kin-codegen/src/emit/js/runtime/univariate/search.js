@@ -512,9 +512,10 @@ const $to_solutions = (arm, target, given, { solutions: found, nearest }) => {
     const may_be = ({ q }) => $is_at_zero(form, q, 1e-2);
     const solutions = [];
     const arrive_from = (it, evaluations) => {
-        const corrected = $corrected(arm, target, given, solved(it), it.branch, false, evaluations);
-        if (corrected.residual <= 1e-9 * size) {
-            $insert(arm, corrected, solutions);
+        const { missed, found } = $corrected(arm, target, given, solved(it), evaluations);
+        if (missed <= 1e-9 * size) {
+            const { q, residual, singular } = found;
+            $insert(arm, { q, residual, branch: it.branch, singular }, solutions);
         }
     };
     for (const it of found.slice(0, $MOST_FOUND).filter(may_be)) {
