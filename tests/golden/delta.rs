@@ -288,7 +288,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 3],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -303,7 +303,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -618,7 +618,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 2],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -633,7 +633,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1068,7 +1068,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 3],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -1083,7 +1083,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1419,7 +1419,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 2],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -1434,7 +1434,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1930,7 +1930,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 3],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -1945,7 +1945,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -2281,7 +2281,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    &[0.0; 2],
+                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -2296,7 +2296,7 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    seed,
+                    ::core::option::Option::Some(seed),
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )

@@ -278,7 +278,7 @@ mod __Kr6R900 {
             solve(
                 self,
                 pose,
-                &[0.0; 6],
+                ::core::option::Option::None,
                 &[],
                 |branches| self.sorted(pose, &[0.0; 6], &branches),
             )
@@ -290,7 +290,13 @@ mod __Kr6R900 {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
+            solve(
+                self,
+                pose,
+                ::core::option::Option::Some(seed),
+                &[],
+                |branches| self.sorted(pose, seed, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if

@@ -222,7 +222,7 @@ mod __Scara {
             solve(
                 self,
                 pose,
-                &[0.0; 4],
+                ::core::option::Option::None,
                 &[],
                 |branches| self.sorted(pose, &[0.0; 4], &branches),
             )
@@ -234,7 +234,13 @@ mod __Scara {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
+            solve(
+                self,
+                pose,
+                ::core::option::Option::Some(seed),
+                &[],
+                |branches| self.sorted(pose, seed, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if

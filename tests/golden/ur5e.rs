@@ -272,7 +272,7 @@ mod __Ur5e {
             solve(
                 self,
                 pose,
-                &[0.0; 6],
+                ::core::option::Option::None,
                 &[],
                 |branches| self.sorted(pose, &[0.0; 6], &branches),
             )
@@ -284,7 +284,13 @@ mod __Ur5e {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(self, pose, seed, &[], |branches| self.sorted(pose, seed, &branches))
+            solve(
+                self,
+                pose,
+                ::core::option::Option::Some(seed),
+                &[],
+                |branches| self.sorted(pose, seed, &branches),
+            )
         }
 
         /// The branch whose subproblems come nearest to `pose`: a solution if
@@ -791,7 +797,7 @@ mod __Ur5e {
         const FREE: [FreeJoint; 1] = [
             FreeJoint {
                 coordinate: 3,
-                slide: None,
+                slide: ::core::option::Option::None,
             },
         ];
 

@@ -62,8 +62,7 @@ pub struct Lanes<const N: usize, const L: usize, const T: usize, const F: usize>
 
 impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L, T, F> {
     /// Positive for targets that ask for more: with a free joint that leaves a later root
-    /// none, a branch that is singular or that rounding may keep from the target, or solutions that
-    /// no branch tells.
+    /// none, a branch that rounding may keep from the target, or solutions that no branch tells.
     #[inline(always)]
     pub(super) fn unsettled(&self, completion: Completion, accept: &Acceptance) -> [Real; T] {
         let mut unsettled = [0.0; T];
@@ -72,8 +71,7 @@ impl<const N: usize, const L: usize, const T: usize, const F: usize> Lanes<N, L,
                 let misses = self.residual[k][t] > accept.taken;
                 let little = self.residual[k][t] <= accept.nearly;
                 let nearly = (self.invalid[k][t] <= 0.0) & misses & little;
-                let singular = self.reaches(k, t, accept) & (self.singular[k][t] > 0.0);
-                unsettled[t] = math::max(unsettled[t], math::select(nearly | singular, 1.0, 0.0));
+                unsettled[t] = math::max(unsettled[t], math::select(nearly, 1.0, 0.0));
                 for no_root in &self.no_root {
                     unsettled[t] = math::max(unsettled[t], no_root[k][t]);
                 }
@@ -126,13 +124,10 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
     /// Whether the lanes alone tell the solutions.
     #[inline(always)]
     fn settled(&self, completion: Completion, accept: &Acceptance) -> bool {
-        let branches = self.branches();
-        let asks = self.free_joints().leave_no_root()
-            | branches.nearly(accept)
-            | branches.are_singular(accept);
+        let asks = self.free_joints().leave_no_root() | self.branches().nearly(accept);
         match completion {
             Completion::Never => !asks,
-            _ => !(asks | branches.are_completed(completion, accept)),
+            _ => !(asks | self.branches().are_completed(completion, accept)),
         }
     }
 
@@ -189,6 +184,8 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
+    /// Whether the solutions are to be near a seed, which those of singular targets depend on.
+    near_seed: bool,
     solver: PhantomData<R>,
 }
 
@@ -210,6 +207,7 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
+            near_seed: true,
             solver: PhantomData,
         }
     }
@@ -285,12 +283,14 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
+        let asks_seed = given.near_seed && lanes.branches().are_singular(accept);
+        let settled = !asks_seed & lanes.settled(R::COMPLETION, accept);
         match asked {
-            Asked::Solutions(place) if lanes.settled(R::COMPLETION, accept) => {
+            Asked::Solutions(place) if settled => {
                 lanes.write(0, accept, place);
                 None
             }
-            Asked::Nearest(motion, place) if lanes.settled(R::COMPLETION, accept) => {
+            Asked::Nearest(motion, place) if settled => {
                 *place = lanes.branches().choose(accept, motion);
                 None
             }
@@ -300,13 +300,13 @@ where
 }
 
 /// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
-/// keep a branch from the target, a free joint leaves a later step no root, or an elimination
-/// completes the branches.
+/// keep a branch from the target, a free joint leaves a later step no root, an elimination
+/// completes the branches, or a singular one is to be near a seed. Without one, free joints are at 0.
 #[inline]
 pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>(
     _: &R,
     pose: &Pose,
-    seed: &[Real; N],
+    seed: Option<&[Real; N]>,
     locked: &[Real; P],
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
@@ -314,7 +314,10 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     // Here, where the seed is known: of zeros the sines are constants.
-    let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
+    let given = Given {
+        near_seed: seed.is_some(),
+        ..Given::<R, N, L, P, M, F>::new(pose, seed.unwrap_or(&[0.0; N]), locked)
+    };
     Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
         if let Some(found) = given.ask(Asked::Solutions(solutions)) {
             *solutions = otherwise(given.with_root(found));

@@ -23,7 +23,14 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let accept = acceptance(solver);
     let unseeded = quote!(&[0.0; #n]);
     let (answer, seeded) = match solver.is_in_lanes() {
-        true => (solve(solver, &unseeded), solve(solver, &quote!(seed))),
+        true => (
+            solve(solver, &quote!(::core::option::Option::None), &unseeded),
+            solve(
+                solver,
+                &quote!(::core::option::Option::Some(seed)),
+                &quote!(seed),
+            ),
+        ),
         false => (quote!(self.ik_seeded(pose, #unseeded)), refined(solver)),
     };
     let closest = closest(model, solver);
@@ -74,9 +81,9 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
 }
 
 /// All solutions of an arm whose branches are its solutions.
-fn solve(solver: &ClosedForm, seed: &TokenStream) -> TokenStream {
+fn solve(solver: &ClosedForm, given: &TokenStream, seed: &TokenStream) -> TokenStream {
     let otherwise = otherwise(solver, seed);
-    quote!(solve(self, pose, #seed, &[], #otherwise))
+    quote!(solve(self, pose, #given, &[], #otherwise))
 }
 
 /// The solutions where lanes do not tell them.
@@ -180,7 +187,10 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let free = inverse.free_joints.iter().map(|free| {
         let coordinate = Literal::usize_unsuffixed(free.turn.coordinate);
         let slide = free.slide.map(literal);
-        let slide = slide.map_or_else(|| quote!(None), |slide| quote!(Some(#slide)));
+        let slide = slide.map_or_else(
+            || quote!(::core::option::Option::None),
+            |slide| quote!(Some(#slide)),
+        );
         quote!(FreeJoint { coordinate: #coordinate, slide: #slide })
     });
     let free: Vec<TokenStream> = free.collect();
