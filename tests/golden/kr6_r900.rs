@@ -351,6 +351,7 @@ mod __Kr6R900 {
                 &[],
                 const { &Nearest::new([0.0; 6], &Self::LIMITS) },
                 seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, seed, &branches),
             )
         }
@@ -370,6 +371,7 @@ mod __Kr6R900 {
                 &[],
                 nearest,
                 &nearest.seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }

@@ -295,6 +295,7 @@ mod __Scara {
                 &[],
                 const { &Nearest::new([0.0; 4], &Self::LIMITS) },
                 seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, seed, &branches),
             )
         }
@@ -314,6 +315,7 @@ mod __Scara {
                 &[],
                 nearest,
                 &nearest.seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }

@@ -345,6 +345,7 @@ mod __Ur5e {
                 &[],
                 const { &Nearest::new([0.0; 6], &Self::LIMITS) },
                 seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, seed, &branches),
             )
         }
@@ -364,6 +365,7 @@ mod __Ur5e {
                 &[],
                 nearest,
                 &nearest.seed,
+                |q| Target::Pose.distance(&self.fk(q), pose, Self::ACCEPT.size),
                 |branches| self.sorted(pose, &nearest.seed, &branches),
             )
         }

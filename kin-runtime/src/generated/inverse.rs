@@ -184,8 +184,6 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
-    /// Whether the solutions are to be near a seed, which those of singular targets depend on.
-    near_seed: bool,
     solver: PhantomData<R>,
 }
 
@@ -207,20 +205,19 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
-            near_seed: true,
             solver: PhantomData,
         }
     }
 
     /// Does what is asked, or gives the branches where these alone do not tell it.
     #[inline]
-    fn ask(&self, asked: Asked<'_, N>) -> Option<Found<N, L, F>> {
-        dispatch::<Single, _>((self, asked))
+    fn ask<const NEAR_SEED: bool>(&self, asked: Asked<'_, N>) -> Option<Found<N, L, F>> {
+        dispatch::<Single<NEAR_SEED>, _>((self, asked))
     }
 
     #[inline(always)]
     fn branches(&self) -> Found<N, L, F> {
-        self.ask(Asked::Themselves)
+        self.ask::<false>(Asked::Themselves)
             .expect("nothing but the branches is asked for")
     }
 
@@ -255,19 +252,38 @@ where
         &self,
         nearest: &Nearest<N>,
         seed: &[Real; N],
+        motion: &Motion<'_, N>,
+        missed: impl FnOnce(&[Real; N]) -> Real,
         otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
-        let nearest = nearest.from_seed(*seed);
-        otherwise(self.with_root(self.branches())).nearest_by(&nearest)
+        let mut solution = None;
+        let asked = Asked::Nearest(motion, &mut solution);
+        // A seed that reaches the target may be the solution.
+        let found = match missed(seed) <= R::ACCEPT.tolerance {
+            true => self.ask::<true>(asked),
+            false => self.ask::<false>(asked),
+        };
+        if let Some(found) = found {
+            let nearest = nearest.from_seed(*seed);
+            solution = otherwise(self.with_root(found)).nearest_by(&nearest);
+        }
+        solution
     }
 }
 
 /// The branches of one target and what is asked of them, in one function: what that has in
-/// registers does not go through memory to another.
-struct Single;
+/// registers does not go through memory to another. Near a seed, those of singular targets depend on it.
+struct Single<const NEAR_SEED: bool>;
 
-impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
-    Dispatched<(&Given<'_, R, N, L, P, M, F>, Asked<'_, N>)> for Single
+impl<
+    R,
+    const NEAR_SEED: bool,
+    const N: usize,
+    const L: usize,
+    const P: usize,
+    const M: usize,
+    const F: usize,
+> Dispatched<(&Given<'_, R, N, L, P, M, F>, Asked<'_, N>)> for Single<NEAR_SEED>
 where
     R: Inverse<N, L, P, M, F>,
 {
@@ -283,7 +299,7 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
-        let asks_seed = given.near_seed && lanes.branches().are_singular(accept);
+        let asks_seed = NEAR_SEED && lanes.branches().are_singular(accept);
         let settled = !asks_seed & lanes.settled(R::COMPLETION, accept);
         match asked {
             Asked::Solutions(place) if settled => {
@@ -314,12 +330,14 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     // Here, where the seed is known: of zeros the sines are constants.
-    let given = Given {
-        near_seed: seed.is_some(),
-        ..Given::<R, N, L, P, M, F>::new(pose, seed.unwrap_or(&[0.0; N]), locked)
-    };
+    let given = Given::<R, N, L, P, M, F>::new(pose, seed.unwrap_or(&[0.0; N]), locked);
     Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
-        if let Some(found) = given.ask(Asked::Solutions(solutions)) {
+        let asked = Asked::Solutions(solutions);
+        let found = match seed {
+            None => given.ask::<false>(asked),
+            Some(_) => given.ask::<true>(asked),
+        };
+        if let Some(found) = found {
             *solutions = otherwise(given.with_root(found));
         }
     })
@@ -327,7 +345,7 @@ where
 
 /// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as
 /// [`Solutions::nearest_by`] of [`solve`], without writing the others down. The seed of `nearest`
-/// is not read.
+/// is not read; by how much a configuration misses the target is `missed`, metres.
 ///
 /// The branches do not wait for the sines of the seed, which count where an angle is free: they
 /// take those of zeros, which are constants, and run again for the few targets that have one.
@@ -345,6 +363,7 @@ pub fn solve_nearest<
     locked: &[Real; P],
     nearest: &Nearest<N>,
     seed: &[Real; N],
+    missed: impl FnOnce(&[Real; N]) -> Real,
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Option<Solution<N>>
 where
@@ -353,9 +372,12 @@ where
     let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
-    if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
+    if given
+        .ask::<true>(Asked::Nearest(&motion, &mut solution))
+        .is_some()
+    {
         let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
-        solution = given.nearest(nearest, seed, otherwise);
+        solution = given.nearest(nearest, seed, &motion, missed, otherwise);
     }
     solution
 }

@@ -265,13 +265,7 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     if target.is_projected() && solver.is_exact() {
         return quote!(#branches.closest(&Self::ACCEPT));
     }
-    let [fk, pose] = match solver.corrected_projection() {
-        Some(_) => [
-            quote!(Self::PROJECTION.pose(&self.fk(q))),
-            quote!(&Self::PROJECTION.target(pose)),
-        ],
-        None => [quote!(self.fk(q)), quote!(pose)],
-    };
+    let [fk, pose] = seen(solver);
     let target = format_ident!("{target:?}");
     let closest = quote! {
         #branches.closest_by(|q| #fk, #pose, Target::#target, &Self::ACCEPT)
@@ -283,6 +277,17 @@ fn closest(model: &Model, solver: &ClosedForm) -> TokenStream {
     quote!(self.ik(pose).first().copied().or_else(|| #closest))
 }
 
+/// The pose at `q` and the target, as what counts of a target sees them.
+fn seen(solver: &ClosedForm) -> [TokenStream; 2] {
+    match solver.corrected_projection() {
+        Some(_) => [
+            quote!(Self::PROJECTION.pose(&self.fk(q))),
+            quote!(&Self::PROJECTION.target(pose)),
+        ],
+        None => [quote!(self.fk(q)), quote!(pose)],
+    }
+}
+
 /// The methods that choose the one solution that moves the joints least.
 pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
     let n = Literal::usize_unsuffixed(model.variables.len());
@@ -290,7 +295,11 @@ pub fn choice(model: &Model, solver: &ClosedForm) -> TokenStream {
         true => {
             let of = |nearest: TokenStream, seed: TokenStream| {
                 let otherwise = otherwise(solver, &seed);
-                quote!(solve_nearest(self, pose, &[], #nearest, #seed, #otherwise))
+                let [fk, seen] = seen(solver);
+                let target = solver.plan.target;
+                let target = format_ident!("{target:?}");
+                let missed = quote!(|q| Target::#target.distance(&#fk, #seen, Self::ACCEPT.size));
+                quote!(solve_nearest(self, pose, &[], #nearest, #seed, #missed, #otherwise))
             };
             let limits = quote!(const { &Nearest::new([0.0; #n], &Self::LIMITS) });
             (
