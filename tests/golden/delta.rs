@@ -84,7 +84,7 @@ mod __Delta {
     mod arms {
         use ::kinematics::__private::{
             Acceptance, Arithmetic, Branches, FreeJoint, Inverse, Lanes, SinCos, aligned,
-            lanes, math, solve,
+            lanes, math, solve, solve_seeded,
         };
         use ::kinematics::{Jacobian, Pose, Solution, Solutions, Target};
 
@@ -288,7 +288,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -300,10 +299,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -618,7 +617,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -630,10 +628,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1068,7 +1066,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -1080,10 +1077,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1419,7 +1416,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -1431,10 +1427,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -1930,7 +1926,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 3], &branches),
                 )
@@ -1942,10 +1937,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 3]) -> Solutions<3> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )
@@ -2281,7 +2276,6 @@ mod __Delta {
                 solve(
                     self,
                     pose,
-                    ::core::option::Option::None,
                     &[],
                     |branches| self.sorted(pose, &[0.0; 2], &branches),
                 )
@@ -2293,10 +2287,10 @@ mod __Delta {
             /// solutions of other targets do not depend on it.
             #[must_use]
             pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 2]) -> Solutions<2> {
-                solve(
+                solve_seeded(
                     self,
                     pose,
-                    ::core::option::Option::Some(seed),
+                    seed,
                     &[],
                     |branches| self.sorted(pose, seed, &branches),
                 )

@@ -23,7 +23,7 @@ mod __Kr6R900 {
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint,
         GeometricJacobian, Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate,
-        lanes, math, solve, solve_nearest, widen,
+        lanes, math, solve, solve_nearest, solve_seeded, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -275,13 +275,7 @@ mod __Kr6R900 {
         /// Solved by SP4(q1) SP3(q3) SP1(q2) SP2(q4,q5) SP1(q6).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                ::core::option::Option::None,
-                &[],
-                |branches| self.sorted(pose, &[0.0; 6], &branches),
-            )
+            solve(self, pose, &[], |branches| self.sorted(pose, &[0.0; 6], &branches))
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -290,10 +284,10 @@ mod __Kr6R900 {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(
+            solve_seeded(
                 self,
                 pose,
-                ::core::option::Option::Some(seed),
+                seed,
                 &[],
                 |branches| self.sorted(pose, seed, &branches),
             )

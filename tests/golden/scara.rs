@@ -22,7 +22,7 @@ mod __Scara {
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint,
         GeometricJacobian, Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate,
-        lanes, math, solve, solve_nearest,
+        lanes, math, solve, solve_nearest, solve_seeded,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -219,13 +219,7 @@ mod __Scara {
         /// Solved by SP1(q1+q2+q3) T2(q4) SP3(q2) SP1(q3) sum(q1).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<4> {
-            solve(
-                self,
-                pose,
-                ::core::option::Option::None,
-                &[],
-                |branches| self.sorted(pose, &[0.0; 4], &branches),
-            )
+            solve(self, pose, &[], |branches| self.sorted(pose, &[0.0; 4], &branches))
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -234,10 +228,10 @@ mod __Scara {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 4]) -> Solutions<4> {
-            solve(
+            solve_seeded(
                 self,
                 pose,
-                ::core::option::Option::Some(seed),
+                seed,
                 &[],
                 |branches| self.sorted(pose, seed, &branches),
             )

@@ -23,7 +23,7 @@ mod __Ur5e {
     use ::kinematics::__private::{
         Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint,
         GeometricJacobian, Inverse, Lanes, SinCos, SpatialJacobian, aligned, evaluate,
-        lanes, math, solve, solve_nearest, widen,
+        lanes, math, solve, solve_nearest, solve_seeded, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Nearest, Pose, Posture, Singularity, Solution,
@@ -269,13 +269,7 @@ mod __Ur5e {
         /// Solved by SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4).
         #[must_use]
         pub fn ik(&self, pose: &Pose) -> Solutions<6> {
-            solve(
-                self,
-                pose,
-                ::core::option::Option::None,
-                &[],
-                |branches| self.sorted(pose, &[0.0; 6], &branches),
-            )
+            solve(self, pose, &[], |branches| self.sorted(pose, &[0.0; 6], &branches))
         }
 
         /// As [`Self::ik`]; a joint that a singular target leaves free keeps
@@ -284,10 +278,10 @@ mod __Ur5e {
         /// solutions of other targets do not depend on it.
         #[must_use]
         pub fn ik_seeded(&self, pose: &Pose, seed: &[f64; 6]) -> Solutions<6> {
-            solve(
+            solve_seeded(
                 self,
                 pose,
-                ::core::option::Option::Some(seed),
+                seed,
                 &[],
                 |branches| self.sorted(pose, seed, &branches),
             )

@@ -184,6 +184,8 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
+    /// Whether a singular solution is to be near a seed.
+    near_seed: bool,
     solver: PhantomData<R>,
 }
 
@@ -205,19 +207,20 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
+            near_seed: true,
             solver: PhantomData,
         }
     }
 
     /// Does what is asked, or gives the branches where these alone do not tell it.
     #[inline]
-    fn ask<const NEAR_SEED: bool>(&self, asked: Asked<'_, N>) -> Option<Found<N, L, F>> {
-        dispatch::<Single<NEAR_SEED>, _>((self, asked))
+    fn ask(&self, asked: Asked<'_, N>) -> Option<Found<N, L, F>> {
+        dispatch::<Single, _>((self, asked))
     }
 
     #[inline(always)]
     fn branches(&self) -> Found<N, L, F> {
-        self.ask::<false>(Asked::Themselves)
+        self.ask(Asked::Themselves)
             .expect("nothing but the branches is asked for")
     }
 
@@ -245,6 +248,15 @@ impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F:
 where
     R: Inverse<N, L, P, M, F>,
 {
+    #[inline(always)]
+    fn solutions(&self, otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>) -> Solutions<N> {
+        Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
+            if let Some(found) = self.ask(Asked::Solutions(solutions)) {
+                *solutions = otherwise(self.with_root(found));
+            }
+        })
+    }
+
     /// The solution that moves the joints least, joints that are free at the seed.
     #[cold]
     #[inline(never)]
@@ -259,11 +271,8 @@ where
         let mut solution = None;
         let asked = Asked::Nearest(motion, &mut solution);
         // A seed that reaches the target may be the solution.
-        let found = match missed(seed) <= R::ACCEPT.tolerance {
-            true => self.ask::<true>(asked),
-            false => self.ask::<false>(asked),
-        };
-        if let Some(found) = found {
+        let near_seed = missed(seed) <= R::ACCEPT.tolerance;
+        if let Some(found) = (Given { near_seed, ..*self }).ask(asked) {
             let nearest = nearest.from_seed(*seed);
             solution = otherwise(self.with_root(found)).nearest_by(&nearest);
         }
@@ -272,18 +281,11 @@ where
 }
 
 /// The branches of one target and what is asked of them, in one function: what that has in
-/// registers does not go through memory to another. Near a seed, those of singular targets depend on it.
-struct Single<const NEAR_SEED: bool>;
+/// registers does not go through memory to another.
+struct Single;
 
-impl<
-    R,
-    const NEAR_SEED: bool,
-    const N: usize,
-    const L: usize,
-    const P: usize,
-    const M: usize,
-    const F: usize,
-> Dispatched<(&Given<'_, R, N, L, P, M, F>, Asked<'_, N>)> for Single<NEAR_SEED>
+impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>
+    Dispatched<(&Given<'_, R, N, L, P, M, F>, Asked<'_, N>)> for Single
 where
     R: Inverse<N, L, P, M, F>,
 {
@@ -299,7 +301,7 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
-        let asks_seed = NEAR_SEED && lanes.branches().are_singular(accept);
+        let asks_seed = given.near_seed & lanes.branches().are_singular(accept);
         let settled = !asks_seed & lanes.settled(R::COMPLETION, accept);
         match asked {
             Asked::Solutions(place) if settled => {
@@ -315,14 +317,13 @@ where
     }
 }
 
-/// The solutions of a robot for one target; `otherwise` tells them where lanes do not: where rounding may
-/// keep a branch from the target, a free joint leaves a later step no root, an elimination
-/// completes the branches, or a singular one is to be near a seed. Without one, free joints are at 0.
+/// The solutions of a robot for one target, joints that are free at 0; `otherwise` tells them where
+/// lanes do not: where rounding may keep a branch from the target, a free joint leaves a later step no
+/// root, or an elimination completes the branches.
 #[inline]
 pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, const F: usize>(
     _: &R,
     pose: &Pose,
-    seed: Option<&[Real; N]>,
     locked: &[Real; P],
     otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
@@ -330,21 +331,37 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     // Here, where the seed is known: of zeros the sines are constants.
-    let given = Given::<R, N, L, P, M, F>::new(pose, seed.unwrap_or(&[0.0; N]), locked);
-    Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
-        let asked = Asked::Solutions(solutions);
-        let found = match seed {
-            None => given.ask::<false>(asked),
-            Some(_) => given.ask::<true>(asked),
-        };
-        if let Some(found) = found {
-            *solutions = otherwise(given.with_root(found));
-        }
-    })
+    let given = Given {
+        near_seed: false,
+        ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
+    };
+    given.solutions(otherwise)
+}
+
+/// The same with joints that are free at a seed; `otherwise` is asked where a branch is singular too.
+#[inline]
+pub fn solve_seeded<
+    R,
+    const N: usize,
+    const L: usize,
+    const P: usize,
+    const M: usize,
+    const F: usize,
+>(
+    _: &R,
+    pose: &Pose,
+    seed: &[Real; N],
+    locked: &[Real; P],
+    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+) -> Solutions<N>
+where
+    R: Inverse<N, L, P, M, F>,
+{
+    Given::<R, N, L, P, M, F>::new(pose, seed, locked).solutions(otherwise)
 }
 
 /// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as
-/// [`Solutions::nearest_by`] of [`solve`], without writing the others down. The seed of `nearest`
+/// [`Solutions::nearest_by`] of [`solve_seeded`], without writing the others down. The seed of `nearest`
 /// is not read; by how much a configuration misses the target is `missed`, metres.
 ///
 /// The branches do not wait for the sines of the seed, which count where an angle is free: they
@@ -372,10 +389,7 @@ where
     let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
-    if given
-        .ask::<true>(Asked::Nearest(&motion, &mut solution))
-        .is_some()
-    {
+    if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
         let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
         solution = given.nearest(nearest, seed, &motion, missed, otherwise);
     }

@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 31] = [
+const PRIVATE: [&str; 32] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
@@ -58,6 +58,7 @@ const PRIVATE: [&str; 31] = [
     "math",
     "solve",
     "solve_nearest",
+    "solve_seeded",
     "three_spheres",
     "trig_roots",
     "widen",

@@ -23,14 +23,13 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
     let accept = acceptance(solver);
     let unseeded = quote!(&[0.0; #n]);
     let (answer, seeded) = match solver.is_in_lanes() {
-        true => (
-            solve(solver, &quote!(::core::option::Option::None), &unseeded),
-            solve(
-                solver,
-                &quote!(::core::option::Option::Some(seed)),
-                &quote!(seed),
-            ),
-        ),
+        true => {
+            let [at_zero, at_seed] = [&unseeded, &quote!(seed)].map(|seed| otherwise(solver, seed));
+            (
+                quote!(solve(self, pose, &[], #at_zero)),
+                quote!(solve_seeded(self, pose, seed, &[], #at_seed)),
+            )
+        }
         false => (quote!(self.ik_seeded(pose, #unseeded)), refined(solver)),
     };
     let closest = closest(model, solver);
@@ -78,12 +77,6 @@ pub fn methods(model: &Model, solver: &ClosedForm) -> TokenStream {
         #branches
         #unsettled
     }
-}
-
-/// All solutions of an arm whose branches are its solutions.
-fn solve(solver: &ClosedForm, given: &TokenStream, seed: &TokenStream) -> TokenStream {
-    let otherwise = otherwise(solver, seed);
-    quote!(solve(self, pose, #given, &[], #otherwise))
 }
 
 /// The solutions where lanes do not tell them.
