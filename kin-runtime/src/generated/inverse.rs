@@ -131,6 +131,16 @@ impl<const N: usize, const L: usize, const F: usize> Lanes<N, L, 1, F> {
         }
     }
 
+    /// Whether of a branch that reaches the target a root is double or an angle free.
+    #[inline(always)]
+    fn singular(&self, accept: &Acceptance) -> bool {
+        let mut singular = false;
+        for k in 0..L {
+            singular |= self.reaches(k, 0, accept) & (self.singular[k][0] > 0.0);
+        }
+        singular
+    }
+
     #[inline(always)]
     fn branches(&self) -> Branches<N, L> {
         let mut branches = Branches {
@@ -171,6 +181,8 @@ fn alone<const L: usize>(lanes: &[[Real; 1]; L]) -> [Real; L] {
 /// What is asked of the branches of a target, and where to write it.
 enum Asked<'a, const N: usize> {
     Solutions(&'a mut Solutions<N>),
+    /// The same where none is singular.
+    Regular(&'a mut Solutions<N>),
     Nearest(&'a Motion<'a, N>, &'a mut Option<Solution<N>>),
     Themselves,
 }
@@ -184,8 +196,8 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
-    /// Whether a singular solution is to be near a seed.
-    near_seed: bool,
+    /// Whether angles that are free are where they are asked for.
+    seeded: bool,
     solver: PhantomData<R>,
 }
 
@@ -207,7 +219,7 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
-            near_seed: true,
+            seeded: true,
             solver: PhantomData,
         }
     }
@@ -248,15 +260,6 @@ impl<R, const N: usize, const L: usize, const P: usize, const M: usize, const F:
 where
     R: Inverse<N, L, P, M, F>,
 {
-    #[inline(always)]
-    fn solutions(&self, otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>) -> Solutions<N> {
-        Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
-            if let Some(found) = self.ask(Asked::Solutions(solutions)) {
-                *solutions = otherwise(self.with_root(found));
-            }
-        })
-    }
-
     /// The solution that moves the joints least, joints that are free at the seed.
     #[cold]
     #[inline(never)]
@@ -271,8 +274,9 @@ where
         let mut solution = None;
         let asked = Asked::Nearest(motion, &mut solution);
         // A seed that reaches the target may be the solution.
-        let near_seed = missed(seed) <= R::ACCEPT.tolerance;
-        if let Some(found) = (Given { near_seed, ..*self }).ask(asked) {
+        let stays = missed(seed) <= R::ACCEPT.tolerance;
+        let seeded = !stays;
+        if let Some(found) = (Given { seeded, ..*self }).ask(asked) {
             let nearest = nearest.from_seed(*seed);
             solution = otherwise(self.with_root(found)).nearest_by(&nearest);
         }
@@ -301,14 +305,21 @@ where
         } = given;
         let lanes = R::lanes::<Fused<FUSED>, 1>(&[**pose], seed, locked, given.sin_cos, given.free);
         let accept = &R::ACCEPT;
-        let asks_seed = given.near_seed & lanes.branches().are_singular(accept);
-        let settled = !asks_seed & lanes.settled(R::COMPLETION, accept);
         match asked {
-            Asked::Solutions(place) if settled => {
+            Asked::Solutions(place) if lanes.settled(R::COMPLETION, accept) => {
                 lanes.write(0, accept, place);
                 None
             }
-            Asked::Nearest(motion, place) if settled => {
+            Asked::Regular(place)
+                if lanes.settled(R::COMPLETION, accept) & !lanes.singular(accept) =>
+            {
+                lanes.write(0, accept, place);
+                None
+            }
+            Asked::Nearest(motion, place)
+                if lanes.settled(R::COMPLETION, accept)
+                    & (given.seeded | !lanes.singular(accept)) =>
+            {
                 *place = lanes.branches().choose(accept, motion);
                 None
             }
@@ -331,11 +342,12 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     // Here, where the seed is known: of zeros the sines are constants.
-    let given = Given {
-        near_seed: false,
-        ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
-    };
-    given.solutions(otherwise)
+    let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
+    Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
+        if let Some(found) = given.ask(Asked::Solutions(solutions)) {
+            *solutions = otherwise(given.with_root(found));
+        }
+    })
 }
 
 /// The same with joints that are free at a seed; `otherwise` is asked where a branch is singular too.
@@ -357,7 +369,12 @@ pub fn solve_seeded<
 where
     R: Inverse<N, L, P, M, F>,
 {
-    Given::<R, N, L, P, M, F>::new(pose, seed, locked).solutions(otherwise)
+    let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
+    Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
+        if let Some(found) = given.ask(Asked::Regular(solutions)) {
+            *solutions = otherwise(given.with_root(found));
+        }
+    })
 }
 
 /// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as
@@ -386,7 +403,10 @@ pub fn solve_nearest<
 where
     R: Inverse<N, L, P, M, F>,
 {
-    let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
+    let given = Given {
+        seeded: false,
+        ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
+    };
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);
     let mut solution = None;
     if given.ask(Asked::Nearest(&motion, &mut solution)).is_some() {
