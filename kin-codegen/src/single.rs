@@ -37,8 +37,8 @@ impl Forward {
         (pose, Jacobian { rows })
     }
 
-    /// The branches that reach their target, those that nearly do after a correction, and of a
-    /// singular one's family what is nearest to `seed`.
+    /// The branches that reach their target, those that nearly do after a correction; where one
+    /// is singular, `seed` may be as well.
     pub fn corrected<const N: usize>(
         &self,
         target: &double::Pose,

@@ -793,7 +793,7 @@ mod __Ur5e {
         const FREE: [FreeJoint; 1] = [
             FreeJoint {
                 coordinate: 3,
-                slide: ::core::option::Option::None,
+                slide: None,
             },
         ];
 

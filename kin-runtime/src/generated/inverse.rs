@@ -196,8 +196,9 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
-    /// Whether angles that are free are where they are asked for.
-    seeded: bool,
+    /// Whether a singular branch may be the answer: angles that are free are at the seed, and the seed is
+    /// no solution itself.
+    takes_singular: bool,
     solver: PhantomData<R>,
 }
 
@@ -219,7 +220,7 @@ where
             locked,
             sin_cos: Known::new(R::angles(&seed, locked)),
             free: FREE_BELOW,
-            seeded: true,
+            takes_singular: true,
             solver: PhantomData,
         }
     }
@@ -273,10 +274,12 @@ where
     ) -> Option<Solution<N>> {
         let mut solution = None;
         let asked = Asked::Nearest(motion, &mut solution);
-        // A seed that reaches the target may be the solution.
-        let stays = missed(seed) <= R::ACCEPT.tolerance;
-        let seeded = !stays;
-        if let Some(found) = (Given { seeded, ..*self }).ask(asked) {
+        let is_solution = missed(seed) <= R::ACCEPT.tolerance;
+        let given = Given {
+            takes_singular: !is_solution,
+            ..*self
+        };
+        if let Some(found) = given.ask(asked) {
             let nearest = nearest.from_seed(*seed);
             solution = otherwise(self.with_root(found)).nearest_by(&nearest);
         }
@@ -318,7 +321,7 @@ where
             }
             Asked::Nearest(motion, place)
                 if lanes.settled(R::COMPLETION, accept)
-                    & (given.seeded | !lanes.singular(accept)) =>
+                    & (given.takes_singular | !lanes.singular(accept)) =>
             {
                 *place = lanes.branches().choose(accept, motion);
                 None
@@ -404,7 +407,7 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     let given = Given {
-        seeded: false,
+        takes_singular: false,
         ..Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked)
     };
     let motion = nearest.motion(seed, R::ACCEPT.prismatic);

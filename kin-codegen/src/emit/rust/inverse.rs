@@ -180,10 +180,7 @@ pub fn implementation(robot: &Ident, solver: &ClosedForm) -> Option<TokenStream>
     let free = inverse.free_joints.iter().map(|free| {
         let coordinate = Literal::usize_unsuffixed(free.turn.coordinate);
         let slide = free.slide.map(literal);
-        let slide = slide.map_or_else(
-            || quote!(::core::option::Option::None),
-            |slide| quote!(Some(#slide)),
-        );
+        let slide = slide.map_or_else(|| quote!(None), |slide| quote!(Some(#slide)));
         quote!(FreeJoint { coordinate: #coordinate, slide: #slide })
     });
     let free: Vec<TokenStream> = free.collect();

@@ -18,7 +18,7 @@ const STEPS: usize = 12;
 const STEPS_OF_DESIGN: usize = 60;
 
 /// The branches that reach their target, those that nearly do after a
-/// correction; where one is singular, see [`stay_at_seed`].
+/// correction; where one is singular, `seed` may be as well.
 pub fn correct_branches<const N: usize>(
     problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     branches: impl Iterator<Item = Solution<N>> + Clone,

@@ -30,8 +30,8 @@ where
     Links: Fn(&[Real; 7]) -> [Pose; 7],
     FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
-    /// The branches that reach the target, those that nearly do after a correction; of a singular one's
-    /// family what is nearest to `seed`.
+    /// The branches that reach the target, those that nearly do after a correction; where one
+    /// is singular, `seed` may be as well.
     pub fn corrected(
         &self,
         target: &Pose,
