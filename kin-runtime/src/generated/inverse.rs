@@ -275,11 +275,13 @@ where
         let mut solution = None;
         let asked = Asked::Nearest(motion, &mut solution);
         let is_solution = missed(seed) <= R::ACCEPT.tolerance;
-        let given = Given {
-            takes_singular: !is_solution,
+        let takes_singular = !is_solution;
+        if let Some(found) = (Given {
+            takes_singular,
             ..*self
-        };
-        if let Some(found) = given.ask(asked) {
+        })
+        .ask(asked)
+        {
             let nearest = nearest.from_seed(*seed);
             solution = otherwise(self.with_root(found)).nearest_by(&nearest);
         }
