@@ -22,6 +22,9 @@
 #error "compile with -msse2 -mfpmath=sse: numbers with more digits than double round in other places"
 #endif
 
+/* Refused where constants are read as float, as with -fsingle-precision-constant. */
+typedef char ur5e_constants_have_all_digits[(long)16777217.0 == 16777217 ? 1 : -1];
+
 #if defined(__clang__) && __clang_major__ >= 11
 /* Clang does not tell of all parts of -ffast-math; of those that are left this one does harm. */
 #pragma clang fp reassociate(off)

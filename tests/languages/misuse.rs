@@ -47,6 +47,12 @@ fn c_for_other_numbers_is_refused() {
         wider.contains("compile with -msse2 -mfpmath=sse"),
         "{wider}"
     );
+    // A compiler that does not have the option names it.
+    let shorter = said(&["-fsingle-precision-constant"]);
+    assert!(
+        shorter.contains("ur5e_constants_have_all_digits") || shorter.contains("-fsingle"),
+        "{shorter}"
+    );
 }
 
 /// Newton's method goes away from these solutions for some steps before it comes nearer.
