@@ -1030,7 +1030,7 @@ static void slider_crank_chain0_stay_at_seed(
 {
     slider_crank_chain0_solution there;
     double q[SLIDER_CRANK_CHAIN0_JOINTS], least = HUGE_VAL;
-    int nearest = -1;
+    int nearest = -1, known;
     slider_crank_chain0_whole(seed, given, q);
     for (int k = 0; k < count; ++k) {
         double apart = 0.0;
@@ -1043,9 +1043,13 @@ static void slider_crank_chain0_stay_at_seed(
             nearest = k;
         }
     }
-    if (nearest >= 0 && slider_crank_chain0_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN0_SIZE)
-        && there.singular && slider_crank_chain0_known_place(there.q, solutions, count) < 0) {
+    if (nearest < 0 || !(slider_crank_chain0_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN0_SIZE))) {
+        return;
+    }
+    known = slider_crank_chain0_known_place(there.q, solutions, count);
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
+    if (there.singular && (known < 0 || known == nearest)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
@@ -1496,7 +1500,7 @@ static void slider_crank_chain1_stay_at_seed(
 {
     slider_crank_chain1_solution there;
     double q[SLIDER_CRANK_CHAIN1_JOINTS], least = HUGE_VAL;
-    int nearest = -1;
+    int nearest = -1, known;
     slider_crank_chain1_whole(seed, given, q);
     for (int k = 0; k < count; ++k) {
         double apart = 0.0;
@@ -1509,9 +1513,13 @@ static void slider_crank_chain1_stay_at_seed(
             nearest = k;
         }
     }
-    if (nearest >= 0 && slider_crank_chain1_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN1_SIZE)
-        && there.singular && slider_crank_chain1_known_place(there.q, solutions, count) < 0) {
+    if (nearest < 0 || !(slider_crank_chain1_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN1_SIZE))) {
+        return;
+    }
+    known = slider_crank_chain1_known_place(there.q, solutions, count);
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
+    if (there.singular && (known < 0 || known == nearest)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
@@ -1987,7 +1995,7 @@ static void slider_crank_passive_stay_at_seed(
 {
     slider_crank_passive_solution there;
     double q[SLIDER_CRANK_PASSIVE_JOINTS], least = HUGE_VAL;
-    int nearest = -1;
+    int nearest = -1, known;
     slider_crank_passive_whole(seed, given, q);
     for (int k = 0; k < count; ++k) {
         double apart = 0.0;
@@ -2000,9 +2008,13 @@ static void slider_crank_passive_stay_at_seed(
             nearest = k;
         }
     }
-    if (nearest >= 0 && slider_crank_passive_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_PASSIVE_SIZE)
-        && there.singular && slider_crank_passive_known_place(there.q, solutions, count) < 0) {
+    if (nearest < 0 || !(slider_crank_passive_corrected(seed, 0, target, given, &there)
+            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_PASSIVE_SIZE))) {
+        return;
+    }
+    known = slider_crank_passive_known_place(there.q, solutions, count);
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
+    if (there.singular && (known < 0 || known == nearest)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }

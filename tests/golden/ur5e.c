@@ -1682,7 +1682,7 @@ static void ur5e_stay_at_seed(
 {
     ur5e_solution there;
     double q[UR5E_JOINTS], least = HUGE_VAL;
-    int nearest = -1;
+    int nearest = -1, known;
     ur5e_whole(seed, given, q);
     for (int k = 0; k < count; ++k) {
         double apart = 0.0;
@@ -1695,9 +1695,13 @@ static void ur5e_stay_at_seed(
             nearest = k;
         }
     }
-    if (nearest >= 0 && ur5e_corrected(seed, 0, target, given, &there)
-            <= ur5e_max(solutions[nearest].residual, 1e-14 * UR5E_SIZE)
-        && there.singular && ur5e_known_place(there.q, solutions, count) < 0) {
+    if (nearest < 0 || !(ur5e_corrected(seed, 0, target, given, &there)
+            <= ur5e_max(solutions[nearest].residual, 1e-14 * UR5E_SIZE))) {
+        return;
+    }
+    known = ur5e_known_place(there.q, solutions, count);
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
+    if (there.singular && (known < 0 || known == nearest)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }

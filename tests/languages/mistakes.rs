@@ -121,7 +121,7 @@ const OF_STAYING: [[&str; 2]; 3] = [
         "<= mistaken_max(solutions",
         "< 0.0 * mistaken_max(solutions",
     ],
-    ["&& there.singular", "&& !there.singular"],
+    ["(there.singular", "(!there.singular"],
     [
         "solutions[k].singular && apart",
         "!solutions[k].singular && apart",
@@ -134,10 +134,7 @@ const OF_STAYING_IN_JS: [[&str; 2]; 3] = [
         "missed <= Math.max(nearest",
         "missed < 0.0 * Math.max(nearest",
     ],
-    [
-        "&& found.singular && $known",
-        "&& !found.singular && $known",
-    ],
+    ["&& found.singular && known", "&& !found.singular && known"],
     [
         "filter(({ singular }) => singular).reduce(nearer",
         "filter(({ singular }) => !singular).reduce(nearer",

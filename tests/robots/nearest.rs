@@ -358,6 +358,32 @@ fn beside_two_singularities_it_rests() {
     }
 }
 
+/// The elbow is folded next to its limit of half a turn: what rounding does not tell from the seed is
+/// on the other side of it, with no other turn inside the limits.
+#[test]
+fn folded_next_to_a_limit_it_rests() {
+    let robot = crate::zoo::Ur5e;
+    let mut limits = crate::zoo::Ur5e::LIMITS;
+    limits[2] = JointLimit::revolute(-PI, PI);
+    let mut random = Random::new(54);
+    for k in 0..4000 {
+        let off = 10_f64.powi(-6 - k % 7);
+        let mut q: [f64; 6] =
+            std::array::from_fn(|_| random.between(-2.0, 3.0).floor() * FRAC_PI_2);
+        q[2] = PI - off;
+        q[4] = 0.0;
+        for q in &mut q {
+            *q += off * random.between(-1.0, 1.0);
+        }
+        let target = robot.fk(&q);
+        let nearest = robot
+            .ik_nearest_by(&target, &Nearest::new(q, &limits))
+            .unwrap();
+        let moved = largest(nearest.q.iter().zip(&q).map(|(a, b)| a - b));
+        assert!(moved < 1e-4, "{moved} from {q:?}");
+    }
+}
+
 fn read(text: &str, target: Target) -> Robot {
     let source = RobotSource {
         path: "arm.yaml".into(),

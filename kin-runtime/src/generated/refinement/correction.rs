@@ -69,7 +69,9 @@ pub(super) fn stay_at_seed<const N: usize>(
         solutions[nearest].residual,
         tolerance::ROUNDING * accept.size,
     );
-    if seed.singular && seed.residual <= reached && solutions.place_of(&q).is_none() {
+    let known = solutions.place_of(&q);
+    // One that is known may be a whole turn away, which limits may leave no other answer than.
+    if seed.singular && seed.residual <= reached && known.is_none_or(|known| known == nearest) {
         solutions.replace(nearest, q, seed.residual);
     }
 }

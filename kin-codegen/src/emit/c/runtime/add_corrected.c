@@ -6,7 +6,7 @@ static void kin_stay_at_seed(
 {
     kin_solution there;
     double q[KIN_JOINTS], least = HUGE_VAL;
-    int nearest = -1;
+    int nearest = -1, known;
     kin_whole(seed, given, q);
     for (int k = 0; k < count; ++k) {
         double apart = 0.0;
@@ -19,9 +19,13 @@ static void kin_stay_at_seed(
             nearest = k;
         }
     }
-    if (nearest >= 0 && kin_corrected(seed, 0, target, given, &there)
-            <= kin_max(solutions[nearest].residual, 1e-14 * KIN_SIZE)
-        && there.singular && kin_known_place(there.q, solutions, count) < 0) {
+    if (nearest < 0 || !(kin_corrected(seed, 0, target, given, &there)
+            <= kin_max(solutions[nearest].residual, 1e-14 * KIN_SIZE))) {
+        return;
+    }
+    known = kin_known_place(there.q, solutions, count);
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
+    if (there.singular && (known < 0 || known == nearest)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }

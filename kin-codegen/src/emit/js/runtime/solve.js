@@ -227,8 +227,10 @@ const $stay_at_seed = (arm, { missed, found }, solutions) => {
         $joint_distances(arm, q, found.q).reduce((square, x) => square + x * x, 0.0);
     const nearer = (one, other) => (apart(other) < apart(one) ? other : one);
     const nearest = solutions.filter(({ singular }) => singular).reduce(nearer);
+    const known = solutions[$known_place(arm, found.q, solutions)] ?? nearest;
+    /* One that is known may be a whole turn away, which limits may leave no other answer than. */
     if (missed <= Math.max(nearest.residual, 1e-14 * arm.form.size)
-        && found.singular && $known_place(arm, found.q, solutions) < 0) {
+        && found.singular && known === nearest) {
         Object.assign(nearest, found);
     }
 };
