@@ -1022,41 +1022,70 @@ static double slider_crank_chain0_corrected(
     return here.residual;
 }
 
-/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
- * one that reaches the target, it takes the place of the nearest. */
+/* How far two configurations are apart, radians and metres: the square of it. */
+static double slider_crank_chain0_squared_distance(const double a[SLIDER_CRANK_CHAIN0_JOINTS], const double b[SLIDER_CRANK_CHAIN0_JOINTS])
+{
+    double square = 0.0;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
+        const double by = slider_crank_chain0_joint_distance(i, a[i], b[i]);
+        square += by * by;
+    }
+    return square;
+}
+
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
+ * units of the arm's size, accounts for. */
+static int slider_crank_chain0_is_next_to(const double q[SLIDER_CRANK_CHAIN0_JOINTS], const double seed[SLIDER_CRANK_CHAIN0_JOINTS], double missed)
+{
+    int next = 1;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
+        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+    }
+    return next;
+}
+
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
+ * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
+ * the place of the nearest. */
 static void slider_crank_chain0_stay_at_seed(
     const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double target[12], const double *given,
     slider_crank_chain0_solution *solutions, int count)
 {
     slider_crank_chain0_solution there;
-    double q[SLIDER_CRANK_CHAIN0_JOINTS], least = HUGE_VAL;
+    double from[SLIDER_CRANK_CHAIN0_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    slider_crank_chain0_whole(seed, given, q);
+    const double missed = slider_crank_chain0_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_CHAIN0_SIZE;
+    if (!(missed <= 2e-2)) {
+        return;
+    }
+    slider_crank_chain0_whole(seed, given, from);
     for (int k = 0; k < count; ++k) {
-        double apart = 0.0;
-        for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
-            const double by = slider_crank_chain0_joint_distance(i, solutions[k].q[i], q[i]);
-            apart += by * by;
+        if (solutions[k].singular && slider_crank_chain0_is_next_to(solutions[k].q, from, missed)) {
+            return;
         }
+    }
+    /* Most take four; beside a fold each may halve what is left. */
+    if (!(slider_crank_chain0_corrected(seed, 40, target, given, &there) <= 1e-13 * SLIDER_CRANK_CHAIN0_SIZE)) {
+        return;
+    }
+    for (int k = 0; k < count; ++k) {
+        const double apart = slider_crank_chain0_squared_distance(solutions[k].q, there.q);
         if (solutions[k].singular && apart < least) {
             least = apart;
             nearest = k;
         }
     }
-    if (nearest < 0 || !(slider_crank_chain0_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN0_SIZE))) {
-        return;
-    }
     known = slider_crank_chain0_known_place(there.q, solutions, count);
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
-    if (there.singular && (known < 0 || known == nearest)) {
+    if (nearest >= 0 && there.singular && (known < 0 || known == nearest)
+        && slider_crank_chain0_squared_distance(there.q, from) <= slider_crank_chain0_squared_distance(solutions[nearest].q, from)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
- * is singular, the seed may be as well. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; of
+ * singular ones those that are next to the seed. */
 static int slider_crank_chain0_add_corrected(
     const slider_crank_chain0_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED],
     const double *given, slider_crank_chain0_solution *solutions, int count)
@@ -1081,7 +1110,12 @@ static int slider_crank_chain0_add_corrected(
             count = slider_crank_chain0_insert(&found, solutions, count);
         }
     }
-    slider_crank_chain0_stay_at_seed(seed, target, given, solutions, count);
+    for (int k = 0; k < count; ++k) {
+        if (solutions[k].singular) {
+            slider_crank_chain0_stay_at_seed(seed, target, given, solutions, count);
+            break;
+        }
+    }
     return count;
 }
 
@@ -1492,41 +1526,70 @@ static double slider_crank_chain1_corrected(
     return here.residual;
 }
 
-/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
- * one that reaches the target, it takes the place of the nearest. */
+/* How far two configurations are apart, radians and metres: the square of it. */
+static double slider_crank_chain1_squared_distance(const double a[SLIDER_CRANK_CHAIN1_JOINTS], const double b[SLIDER_CRANK_CHAIN1_JOINTS])
+{
+    double square = 0.0;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
+        const double by = slider_crank_chain1_joint_distance(i, a[i], b[i]);
+        square += by * by;
+    }
+    return square;
+}
+
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
+ * units of the arm's size, accounts for. */
+static int slider_crank_chain1_is_next_to(const double q[SLIDER_CRANK_CHAIN1_JOINTS], const double seed[SLIDER_CRANK_CHAIN1_JOINTS], double missed)
+{
+    int next = 1;
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
+        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+    }
+    return next;
+}
+
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
+ * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
+ * the place of the nearest. */
 static void slider_crank_chain1_stay_at_seed(
     const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double target[12], const double *given,
     slider_crank_chain1_solution *solutions, int count)
 {
     slider_crank_chain1_solution there;
-    double q[SLIDER_CRANK_CHAIN1_JOINTS], least = HUGE_VAL;
+    double from[SLIDER_CRANK_CHAIN1_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    slider_crank_chain1_whole(seed, given, q);
+    const double missed = slider_crank_chain1_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_CHAIN1_SIZE;
+    if (!(missed <= 2e-2)) {
+        return;
+    }
+    slider_crank_chain1_whole(seed, given, from);
     for (int k = 0; k < count; ++k) {
-        double apart = 0.0;
-        for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
-            const double by = slider_crank_chain1_joint_distance(i, solutions[k].q[i], q[i]);
-            apart += by * by;
+        if (solutions[k].singular && slider_crank_chain1_is_next_to(solutions[k].q, from, missed)) {
+            return;
         }
+    }
+    /* Most take four; beside a fold each may halve what is left. */
+    if (!(slider_crank_chain1_corrected(seed, 40, target, given, &there) <= 1e-13 * SLIDER_CRANK_CHAIN1_SIZE)) {
+        return;
+    }
+    for (int k = 0; k < count; ++k) {
+        const double apart = slider_crank_chain1_squared_distance(solutions[k].q, there.q);
         if (solutions[k].singular && apart < least) {
             least = apart;
             nearest = k;
         }
     }
-    if (nearest < 0 || !(slider_crank_chain1_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_CHAIN1_SIZE))) {
-        return;
-    }
     known = slider_crank_chain1_known_place(there.q, solutions, count);
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
-    if (there.singular && (known < 0 || known == nearest)) {
+    if (nearest >= 0 && there.singular && (known < 0 || known == nearest)
+        && slider_crank_chain1_squared_distance(there.q, from) <= slider_crank_chain1_squared_distance(solutions[nearest].q, from)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
- * is singular, the seed may be as well. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; of
+ * singular ones those that are next to the seed. */
 static int slider_crank_chain1_add_corrected(
     const slider_crank_chain1_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED],
     const double *given, slider_crank_chain1_solution *solutions, int count)
@@ -1551,7 +1614,12 @@ static int slider_crank_chain1_add_corrected(
             count = slider_crank_chain1_insert(&found, solutions, count);
         }
     }
-    slider_crank_chain1_stay_at_seed(seed, target, given, solutions, count);
+    for (int k = 0; k < count; ++k) {
+        if (solutions[k].singular) {
+            slider_crank_chain1_stay_at_seed(seed, target, given, solutions, count);
+            break;
+        }
+    }
     return count;
 }
 
@@ -1987,41 +2055,70 @@ static double slider_crank_passive_corrected(
     return here.residual;
 }
 
-/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
- * one that reaches the target, it takes the place of the nearest. */
+/* How far two configurations are apart, radians and metres: the square of it. */
+static double slider_crank_passive_squared_distance(const double a[SLIDER_CRANK_PASSIVE_JOINTS], const double b[SLIDER_CRANK_PASSIVE_JOINTS])
+{
+    double square = 0.0;
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
+        const double by = slider_crank_passive_joint_distance(i, a[i], b[i]);
+        square += by * by;
+    }
+    return square;
+}
+
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
+ * units of the arm's size, accounts for. */
+static int slider_crank_passive_is_next_to(const double q[SLIDER_CRANK_PASSIVE_JOINTS], const double seed[SLIDER_CRANK_PASSIVE_JOINTS], double missed)
+{
+    int next = 1;
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
+        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+    }
+    return next;
+}
+
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
+ * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
+ * the place of the nearest. */
 static void slider_crank_passive_stay_at_seed(
     const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double target[12], const double *given,
     slider_crank_passive_solution *solutions, int count)
 {
     slider_crank_passive_solution there;
-    double q[SLIDER_CRANK_PASSIVE_JOINTS], least = HUGE_VAL;
+    double from[SLIDER_CRANK_PASSIVE_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    slider_crank_passive_whole(seed, given, q);
+    const double missed = slider_crank_passive_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_PASSIVE_SIZE;
+    if (!(missed <= 2e-2)) {
+        return;
+    }
+    slider_crank_passive_whole(seed, given, from);
     for (int k = 0; k < count; ++k) {
-        double apart = 0.0;
-        for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
-            const double by = slider_crank_passive_joint_distance(i, solutions[k].q[i], q[i]);
-            apart += by * by;
+        if (solutions[k].singular && slider_crank_passive_is_next_to(solutions[k].q, from, missed)) {
+            return;
         }
+    }
+    /* Most take four; beside a fold each may halve what is left. */
+    if (!(slider_crank_passive_corrected(seed, 40, target, given, &there) <= 1e-13 * SLIDER_CRANK_PASSIVE_SIZE)) {
+        return;
+    }
+    for (int k = 0; k < count; ++k) {
+        const double apart = slider_crank_passive_squared_distance(solutions[k].q, there.q);
         if (solutions[k].singular && apart < least) {
             least = apart;
             nearest = k;
         }
     }
-    if (nearest < 0 || !(slider_crank_passive_corrected(seed, 0, target, given, &there)
-            <= slider_crank_max(solutions[nearest].residual, 1e-14 * SLIDER_CRANK_PASSIVE_SIZE))) {
-        return;
-    }
     known = slider_crank_passive_known_place(there.q, solutions, count);
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
-    if (there.singular && (known < 0 || known == nearest)) {
+    if (nearest >= 0 && there.singular && (known < 0 || known == nearest)
+        && slider_crank_passive_squared_distance(there.q, from) <= slider_crank_passive_squared_distance(solutions[nearest].q, from)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
- * is singular, the seed may be as well. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; of
+ * singular ones those that are next to the seed. */
 static int slider_crank_passive_add_corrected(
     const slider_crank_passive_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED],
     const double *given, slider_crank_passive_solution *solutions, int count)
@@ -2046,7 +2143,12 @@ static int slider_crank_passive_add_corrected(
             count = slider_crank_passive_insert(&found, solutions, count);
         }
     }
-    slider_crank_passive_stay_at_seed(seed, target, given, solutions, count);
+    for (int k = 0; k < count; ++k) {
+        if (solutions[k].singular) {
+            slider_crank_passive_stay_at_seed(seed, target, given, solutions, count);
+            break;
+        }
+    }
     return count;
 }
 

@@ -116,29 +116,32 @@ const OF_REST: [[&str; 2]; 1] = [["residual[0] < 1e-2", "residual[0] < 1e-20"]];
 const OF_REST_IN_JS: [[&str; 2]; 1] = [["residual < 1e-2", "residual < 1e-20"]];
 
 /// The same of what stays at the seed where two singularities meet.
-const OF_STAYING: [[&str; 2]; 3] = [
-    [
-        "<= mistaken_max(solutions",
-        "< 0.0 * mistaken_max(solutions",
-    ],
-    ["(there.singular", "(!there.singular"],
+const OF_STAYING: [[&str; 2]; 6] = [
+    ["<= 1e-13 * MISTAKEN_SIZE", "<= -1.0 * MISTAKEN_SIZE"],
+    ["&& there.singular", "&& !there.singular"],
     [
         "solutions[k].singular && apart",
         "!solutions[k].singular && apart",
     ],
+    ["(missed <= 2e-2)", "(missed <= 0.0)"],
+    [
+        "mistaken_corrected(seed, 40,",
+        "mistaken_corrected(seed, 1,",
+    ],
+    ["1e-6 + 100.0 * missed", "1e6 + 100.0 * missed"],
 ];
 
 /// The same in JavaScript.
-const OF_STAYING_IN_JS: [[&str; 2]; 3] = [
-    [
-        "missed <= Math.max(nearest",
-        "missed < 0.0 * Math.max(nearest",
-    ],
+const OF_STAYING_IN_JS: [[&str; 2]; 6] = [
+    ["missed <= 1e-13 *", "missed <= -1.0 *"],
     ["&& found.singular && known", "&& !found.singular && known"],
     [
-        "filter(({ singular }) => singular).reduce(nearer",
-        "filter(({ singular }) => !singular).reduce(nearer",
+        "solutions.filter(({ singular }) => singular)",
+        "solutions.filter(({ singular }) => !singular)",
     ],
+    ["(missed <= 2e-2)", "(missed <= 0.0)"],
+    ["lead(40)", "lead(1)"],
+    ["1e-6 + 100.0 * missed", "1e6 + 100.0 * missed"],
 ];
 
 /// The same of joints that are given, some of them between those that are solved for.
@@ -392,7 +395,12 @@ fn mistakes_of_rest_are_found() {
 }
 
 fn of_staying() -> Asked {
-    Asked::of("robots/panda.yaml", Options::default())
+    let free = vec!["joint_a7".into()];
+    let options = Options {
+        free,
+        ..Options::default()
+    };
+    Asked::of("robots/iiwa14.yaml", options)
 }
 
 #[test]

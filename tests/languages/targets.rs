@@ -144,6 +144,13 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         }
     };
     all.push((robot.fk(&twice), twice));
+    // Bent a little, towards where an iiwa's elbow is nearly straight.
+    if robot.joints() == 7 {
+        let straight = [0.4, 1.0, 0.7, 1e-8, -0.7, -0.4, 0.5];
+        let off = [0.0, 3e-4, 0.0, 1e-3, 0.0, -2e-4, 0.0];
+        let bent = straight.iter().zip(off).map(|(q, off)| q + off);
+        all.push((robot.fk(&straight), bent.collect()));
+    }
     // Just out of reach.
     all.extend(beyond_reach(robot, &pose).map(|pose| (pose, configurations[1].clone())));
     all

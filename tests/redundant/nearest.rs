@@ -254,3 +254,29 @@ fn beside_two_singularities_it_rests() {
         }
     }
 }
+
+/// With the elbow straight to within little, what tells the shoulder's turn from the wrist's is shorter
+/// than the rounding of what is before it: of all turns that reach the target it is the seed's.
+#[test]
+fn next_to_a_straight_elbow_the_seed_is_followed() {
+    let iiwa = crate::IiwaByFlange;
+    let mut random = Random::new(61);
+    let (mut far, mut count) = (0, 0);
+    for k in 0..2100 {
+        let off = 10_f64.powi(-6 - k % 7);
+        let mut q: [f64; 7] = std::array::from_fn(|_| random.between(-2.0, 2.0));
+        q[3] = off * random.between(-1.0, 1.0);
+        let mut from = q;
+        for (from, by) in from.iter_mut().zip([0.0, 3e-4, 0.0, 1e-3, 0.0, -2e-4]) {
+            *from += by;
+        }
+        let target = iiwa.fk(&q);
+        let nearest = iiwa.ik_nearest_at(&target, q[6], &from).unwrap();
+        assert!(nearest.residual < 1e-11, "{nearest:?}");
+        let moved = nearest.q.iter().zip(&from).map(|(a, b)| (a - b).abs());
+        far += usize::from(moved.fold(0.0, f64::max) > 0.1);
+        count += 1;
+    }
+    // Next to where the shoulder or the wrist is straight as well another branch is nearer.
+    assert!(40 * far < count, "{far} of {count}");
+}

@@ -82,7 +82,7 @@ impl<const N: usize, const L: usize> Branches<N, L> {
     }
 
     /// The branches that reach the target, those that rounding or idealization keeps from it
-    /// after a correction; where one is singular, `seed` may be as well. See [`correct_branches`].
+    /// after a correction; of singular ones those that are next to `seed`. See [`correct_branches`].
     /// The arm is given by its pose and spatial Jacobian.
     #[inline(always)]
     pub fn corrected(
@@ -237,8 +237,8 @@ fn least<const L: usize>(mut numbers: [Real; L]) -> Real {
 }
 
 impl<const L: usize> Branches<7, L> {
-    /// The branches at an angle of a swivel that reach the target, the others after a correction; where
-    /// one is singular, `seed` may be as well.
+    /// The branches at an angle of a swivel that reach the target, the others after a correction; of
+    /// singular ones those that are next to `seed`.
     #[inline]
     pub fn at_swivel(
         &self,

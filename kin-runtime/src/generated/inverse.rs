@@ -8,6 +8,7 @@ use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
 use super::free_joint::{FREE_BELOW, FreeJoint, FreeJoints, Moving};
+use super::refinement::is_next_to;
 use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
 
@@ -196,8 +197,7 @@ struct Given<'a, R, const N: usize, const L: usize, const P: usize, const M: usi
     locked: &'a [Real; P],
     sin_cos: Known<M>,
     free: Real,
-    /// Whether a singular branch may be the answer: angles that are free are at the seed, and the seed is
-    /// no solution itself.
+    /// Whether a singular branch may be the answer: angles that are free are at the seed.
     takes_singular: bool,
     solver: PhantomData<R>,
 }
@@ -273,19 +273,14 @@ where
         otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
         let mut solution = None;
-        let asked = Asked::Nearest(motion, &mut solution);
-        let is_solution = missed(seed) <= R::ACCEPT.tolerance;
-        let takes_singular = !is_solution;
-        if let Some(found) = (Given {
-            takes_singular,
-            ..*self
-        })
-        .ask(asked)
-        {
-            let nearest = nearest.from_seed(*seed);
-            solution = otherwise(self.with_root(found)).nearest_by(&nearest);
+        let found = self.ask(Asked::Nearest(motion, &mut solution));
+        let missed = missed(seed) / R::ACCEPT.size;
+        let is_near = |it: &Solution<N>| is_next_to(&it.q, seed, missed);
+        if found.is_none() && solution.as_ref().is_some_and(is_near) {
+            return solution;
         }
-        solution
+        let found = found.unwrap_or_else(|| self.branches());
+        otherwise(self.with_root(found)).nearest_by(&nearest.from_seed(*seed))
     }
 }
 

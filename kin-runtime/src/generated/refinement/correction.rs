@@ -8,8 +8,8 @@
 use super::super::super::generated::acceptance::Acceptance;
 use super::super::super::scalar::{Real, tolerance};
 use super::super::super::{Jacobian, Pose, Solution, Solutions, math};
-use super::levenberg::{Arrived, levenberg};
-use super::linearization::Problem;
+use super::levenberg::{Arrived, arrive, levenberg};
+use super::linearization::{Linearization, Problem};
 
 /// Evaluations at most; a regular branch of an exact arm takes two.
 const STEPS: usize = 12;
@@ -17,8 +17,21 @@ const STEPS: usize = 12;
 /// The same of branches of an arm's design.
 const STEPS_OF_DESIGN: usize = 60;
 
+/// The same from a seed: most take four, some beside a fold, where each halves what is left, many.
+const STEPS_FROM_SEED: usize = 40;
+
+/// A seed that misses the target by no more, in units of the arm's size, is taken to be beside a solution.
+const BESIDE: Real = 2e-2;
+
+/// How far the joints move, radians and metres, for a tip that moves by one in units of the arm's size;
+/// near singularities they move farther.
+const FAR: Real = 100.0;
+
+/// What misses its target by no more, in units of the arm's size, does so by rounding alone.
+const REACHED: Real = 10.0 * tolerance::ROUNDING;
+
 /// The branches that reach their target, those that nearly do after a
-/// correction; where one is singular, `seed` may be as well.
+/// correction; of singular ones those that are next to `seed`.
 pub fn correct_branches<const N: usize>(
     problem: &Problem<impl Fn(&[Real; N]) -> (Pose, Jacobian<N>)>,
     branches: impl Iterator<Item = Solution<N>> + Clone,
@@ -46,34 +59,56 @@ pub fn correct_branches<const N: usize>(
                 });
             }
         }
-        if solutions.iter().any(|it| it.singular) {
-            stay_at_seed(solutions, levenberg(problem, *seed, 0), accept);
-        }
+        let linearize = |q| Linearization::new(q, problem);
+        stay_at_seed(solutions, seed, linearize, Some, accept);
     })
 }
 
-/// A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed
-/// is one that reaches the target, it takes the place of the nearest.
-pub(super) fn stay_at_seed<const N: usize>(
+/// A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none
+/// is next to a seed that all but reaches the target, the one to which Levenberg's method leads from there
+/// takes the place of the nearest; `finished` tells whether it is one.
+pub(super) fn stay_at_seed<const N: usize, const R: usize>(
     solutions: &mut Solutions<N>,
-    seed: Arrived<N>,
+    seed: &[Real; N],
+    linearize: impl Fn([Real; N]) -> Linearization<N, R>,
+    finished: impl Fn(Arrived<N>) -> Option<Arrived<N>>,
     accept: &Acceptance,
 ) {
-    let q = wrapped(seed.q, accept);
+    if solutions.iter().all(|it| !it.singular) {
+        return;
+    }
+    let missed = linearize(*seed).residual / accept.size;
+    let is_near = |it: &Solution<N>| it.singular && is_next_to(&it.q, seed, missed);
+    let is_beside = missed <= BESIDE;
+    if !is_beside || solutions.iter().any(is_near) {
+        return;
+    }
+    let Some(there) = finished(arrive(linearize, accept.size, *seed, STEPS_FROM_SEED)) else {
+        return;
+    };
+    let q = wrapped(there.q, accept);
     let singular = (0..solutions.len()).filter(|&place| solutions[place].singular);
     let apart = |place: &usize| solutions.squared_distance(&solutions[*place].q, &q);
     let Some(nearest) = singular.min_by(|a, b| apart(a).total_cmp(&apart(b))) else {
         return;
     };
-    let reached = math::max(
-        solutions[nearest].residual,
-        tolerance::ROUNDING * accept.size,
-    );
+    let moved = |q: &[Real; N]| solutions.squared_distance(q, seed);
     let known = solutions.place_of(&q);
     // One that is known may be a whole turn away, which limits may leave no other answer than.
-    if seed.singular && seed.residual <= reached && known.is_none_or(|known| known == nearest) {
-        solutions.replace(nearest, q, seed.residual);
+    if there.singular
+        && there.residual <= REACHED * accept.size
+        && moved(&q) <= moved(&solutions[nearest].q)
+        && known.is_none_or(|known| known == nearest)
+    {
+        solutions.replace(nearest, q, there.residual);
     }
+}
+
+/// Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+/// in units of the arm's size, accounts for.
+pub(crate) fn is_next_to<const N: usize>(q: &[Real; N], seed: &[Real; N], missed: Real) -> bool {
+    let far = tolerance::SAME + FAR * missed;
+    (0..N).all(|i| (q[i] - seed[i]).abs() <= far)
 }
 
 /// Angles in (−π, π].

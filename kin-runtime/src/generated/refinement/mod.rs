@@ -7,6 +7,7 @@ mod linearization;
 mod swivel;
 
 pub use correction::correct_branches;
+pub(super) use correction::is_next_to;
 pub use levenberg::{Arrived, levenberg};
 pub use linearization::Problem;
 pub use swivel::AtSwivel;

@@ -30,8 +30,8 @@ where
     Links: Fn(&[Real; 7]) -> [Pose; 7],
     FkJacobian: Fn(&[Real; 7]) -> (Pose, Jacobian<7>),
 {
-    /// The branches that reach the target, those that nearly do after a correction; where one
-    /// is singular, `seed` may be as well.
+    /// The branches that reach the target, those that nearly do after a correction; of
+    /// singular ones those that are next to `seed`.
     pub fn corrected(
         &self,
         target: &Pose,
@@ -69,8 +69,7 @@ where
                 rows,
             }
         };
-        let arrived = |q: &[Real; 7], steps: usize| {
-            let found = arrive(linearize, accept.size, *q, steps);
+        let reached = |found: Arrived<7>| {
             let q = found.q.map(math::wrap);
             let (_, ahead) = beside(&q, direction);
             let (pose, _) = (self.fk_jacobian)(&q);
@@ -91,7 +90,8 @@ where
                 return;
             }
             for branch in branches.filter(|branch| !reaches(branch) && nearly(branch)) {
-                if let Some(found) = arrived(&branch.q, steps(accept)) {
+                let found = arrive(linearize, accept.size, branch.q, steps(accept));
+                if let Some(found) = reached(found) {
                     solutions.insert_distinct(Solution {
                         q: found.q,
                         residual: found.residual,
@@ -100,11 +100,7 @@ where
                     });
                 }
             }
-            if solutions.iter().any(|it| it.singular)
-                && let Some(there) = arrived(seed, 0)
-            {
-                stay_at_seed(solutions, there, accept);
-            }
+            stay_at_seed(solutions, seed, linearize, reached, accept);
         })
     }
 }

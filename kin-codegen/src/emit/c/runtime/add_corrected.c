@@ -1,38 +1,67 @@
-/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
- * one that reaches the target, it takes the place of the nearest. */
+/* How far two configurations are apart, radians and metres: the square of it. */
+static double kin_squared_distance(const double a[KIN_JOINTS], const double b[KIN_JOINTS])
+{
+    double square = 0.0;
+    for (int i = 0; i < KIN_JOINTS; ++i) {
+        const double by = kin_joint_distance(i, a[i], b[i]);
+        square += by * by;
+    }
+    return square;
+}
+
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
+ * units of the arm's size, accounts for. */
+static int kin_is_next_to(const double q[KIN_JOINTS], const double seed[KIN_JOINTS], double missed)
+{
+    int next = 1;
+    for (int i = 0; i < KIN_JOINTS; ++i) {
+        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+    }
+    return next;
+}
+
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
+ * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
+ * the place of the nearest. */
 static void kin_stay_at_seed(
     const double seed[KIN_SOLVED], const double target[12], const double *given,
     kin_solution *solutions, int count)
 {
     kin_solution there;
-    double q[KIN_JOINTS], least = HUGE_VAL;
+    double from[KIN_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    kin_whole(seed, given, q);
+    const double missed = kin_corrected(seed, 0, target, given, &there) / KIN_SIZE;
+    if (!(missed <= 2e-2)) {
+        return;
+    }
+    kin_whole(seed, given, from);
     for (int k = 0; k < count; ++k) {
-        double apart = 0.0;
-        for (int i = 0; i < KIN_JOINTS; ++i) {
-            const double by = kin_joint_distance(i, solutions[k].q[i], q[i]);
-            apart += by * by;
+        if (solutions[k].singular && kin_is_next_to(solutions[k].q, from, missed)) {
+            return;
         }
+    }
+    /* Most take four; beside a fold each may halve what is left. */
+    if (!(kin_corrected(seed, 40, target, given, &there) <= 1e-13 * KIN_SIZE)) {
+        return;
+    }
+    for (int k = 0; k < count; ++k) {
+        const double apart = kin_squared_distance(solutions[k].q, there.q);
         if (solutions[k].singular && apart < least) {
             least = apart;
             nearest = k;
         }
     }
-    if (nearest < 0 || !(kin_corrected(seed, 0, target, given, &there)
-            <= kin_max(solutions[nearest].residual, 1e-14 * KIN_SIZE))) {
-        return;
-    }
     known = kin_known_place(there.q, solutions, count);
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
-    if (there.singular && (known < 0 || known == nearest)) {
+    if (nearest >= 0 && there.singular && (known < 0 || known == nearest)
+        && kin_squared_distance(there.q, from) <= kin_squared_distance(solutions[nearest].q, from)) {
         there.branch = solutions[nearest].branch;
         solutions[nearest] = there;
     }
 }
 
-/* Adds the branches that rounding, or idealization, keeps from their target, corrected; where one
- * is singular, the seed may be as well. */
+/* Adds the branches that rounding, or idealization, keeps from their target, corrected; of
+ * singular ones those that are next to the seed. */
 static int kin_add_corrected(
     const kin_lanes *lanes, const double target[12], const double seed[KIN_SOLVED],
     const double *given, kin_solution *solutions, int count)
@@ -57,6 +86,11 @@ static int kin_add_corrected(
             count = kin_insert(&found, solutions, count);
         }
     }
-    kin_stay_at_seed(seed, target, given, solutions, count);
+    for (int k = 0; k < count; ++k) {
+        if (solutions[k].singular) {
+            kin_stay_at_seed(seed, target, given, solutions, count);
+            break;
+        }
+    }
     return count;
 }

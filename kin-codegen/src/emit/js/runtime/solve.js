@@ -220,23 +220,33 @@ const $corrected = (arm, target, given, solved, evaluations) => {
     return { missed: residual, found: { q: $whole(arm, wrapped, given), residual, singular } };
 };
 
-/* A singular solution stands for its neighbours as well, which rounding does not tell apart: if the seed is
- * one that reaches the target, `found` there, it takes the place of the nearest. */
-const $stay_at_seed = (arm, { missed, found }, solutions) => {
-    const apart = ({ q }) =>
-        $joint_distances(arm, q, found.q).reduce((square, x) => square + x * x, 0.0);
-    const nearer = (one, other) => (apart(other) < apart(one) ? other : one);
-    const nearest = solutions.filter(({ singular }) => singular).reduce(nearer);
+/* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
+ * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
+ * the place of the nearest; `from` is all of the seed. */
+const $stay_at_seed = (arm, lead, from, solutions) => {
+    const missed = lead(0).missed / arm.form.size;
+    const is_next = ({ q }) => q.every((x, i) => Math.abs(x - from[i]) <= 1e-6 + 100.0 * missed);
+    const singular = solutions.filter(({ singular }) => singular);
+    if (singular.length === 0 || !(missed <= 2e-2) || singular.some(is_next)) {
+        return;
+    }
+    /* Most take four; beside a fold each may halve what is left. */
+    const there = lead(40);
+    const { found } = there;
+    const apart = (a, b) =>
+        $joint_distances(arm, a, b).reduce((square, x) => square + x * x, 0.0);
+    const nearest = singular.reduce((one, other) =>
+        apart(other.q, found.q) < apart(one.q, found.q) ? other : one);
     const known = solutions[$known_place(arm, found.q, solutions)] ?? nearest;
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
-    if (missed <= Math.max(nearest.residual, 1e-14 * arm.form.size)
-        && found.singular && known === nearest) {
+    if (there.missed <= 1e-13 * arm.form.size && found.singular && known === nearest
+        && apart(found.q, from) <= apart(nearest.q, from)) {
         Object.assign(nearest, found);
     }
 };
 
-/* The branches that reach their target, the others corrected; where one is singular, the seed may be as
- * well. */
+/* The branches that reach their target, the others corrected; of singular ones those that are next to
+ * the seed. */
 const $reaching = (arm, target, given, seed, lanes) => {
     const { form } = arm;
     const solutions = [];
@@ -268,8 +278,9 @@ const $reaching = (arm, target, given, seed, lanes) => {
             $insert(arm, { q, residual, branch: k, singular }, solutions);
         }
     }
-    if (corrects && solutions.some(({ singular }) => singular)) {
-        $stay_at_seed(arm, correct(seed, 0), solutions);
+    if (corrects) {
+        const lead = (evaluations) => correct(seed, evaluations);
+        $stay_at_seed(arm, lead, $whole(arm, seed, given), solutions);
     }
     return solutions;
 };
