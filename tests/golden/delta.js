@@ -652,7 +652,9 @@ const $corrected = (arm, target, given, solved, evaluations) => {
  * the place of the nearest; `from` is all of the seed. */
 const $stay_at_seed = (arm, lead, from, solutions) => {
     const missed = lead(0).missed / arm.form.size;
-    const is_next = ({ q }) => q.every((x, i) => Math.abs(x - from[i]) <= 1e-6 + 100.0 * missed);
+    const far = 1e-6 + 100.0 * missed;
+    const is_next = ({ q }) =>
+        q.reduce((square, x, i) => square + (x - from[i]) * (x - from[i]), 0.0) <= far * far;
     const singular = solutions.filter(({ singular }) => singular);
     if (singular.length === 0 || !(missed <= 2e-2) || singular.some(is_next)) {
         return;

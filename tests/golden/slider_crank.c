@@ -1033,15 +1033,16 @@ static double slider_crank_chain0_squared_distance(const double a[SLIDER_CRANK_C
     return square;
 }
 
-/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
- * units of the arm's size, accounts for. */
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+ * metres, accounts for. */
 static int slider_crank_chain0_is_next_to(const double q[SLIDER_CRANK_CHAIN0_JOINTS], const double seed[SLIDER_CRANK_CHAIN0_JOINTS], double missed)
 {
-    int next = 1;
+    const double allowed = 1e-6 + 100.0 / SLIDER_CRANK_CHAIN0_SIZE * missed;
+    double square = 0.0;
     for (int i = 0; i < SLIDER_CRANK_CHAIN0_JOINTS; ++i) {
-        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
     }
-    return next;
+    return square <= allowed * allowed;
 }
 
 /* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
@@ -1054,8 +1055,8 @@ static void slider_crank_chain0_stay_at_seed(
     slider_crank_chain0_solution there;
     double from[SLIDER_CRANK_CHAIN0_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    const double missed = slider_crank_chain0_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_CHAIN0_SIZE;
-    if (!(missed <= 2e-2)) {
+    const double missed = slider_crank_chain0_corrected(seed, 0, target, given, &there);
+    if (!(missed <= 2e-2 * SLIDER_CRANK_CHAIN0_SIZE)) {
         return;
     }
     slider_crank_chain0_whole(seed, given, from);
@@ -1537,15 +1538,16 @@ static double slider_crank_chain1_squared_distance(const double a[SLIDER_CRANK_C
     return square;
 }
 
-/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
- * units of the arm's size, accounts for. */
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+ * metres, accounts for. */
 static int slider_crank_chain1_is_next_to(const double q[SLIDER_CRANK_CHAIN1_JOINTS], const double seed[SLIDER_CRANK_CHAIN1_JOINTS], double missed)
 {
-    int next = 1;
+    const double allowed = 1e-6 + 100.0 / SLIDER_CRANK_CHAIN1_SIZE * missed;
+    double square = 0.0;
     for (int i = 0; i < SLIDER_CRANK_CHAIN1_JOINTS; ++i) {
-        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
     }
-    return next;
+    return square <= allowed * allowed;
 }
 
 /* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
@@ -1558,8 +1560,8 @@ static void slider_crank_chain1_stay_at_seed(
     slider_crank_chain1_solution there;
     double from[SLIDER_CRANK_CHAIN1_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    const double missed = slider_crank_chain1_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_CHAIN1_SIZE;
-    if (!(missed <= 2e-2)) {
+    const double missed = slider_crank_chain1_corrected(seed, 0, target, given, &there);
+    if (!(missed <= 2e-2 * SLIDER_CRANK_CHAIN1_SIZE)) {
         return;
     }
     slider_crank_chain1_whole(seed, given, from);
@@ -2066,15 +2068,16 @@ static double slider_crank_passive_squared_distance(const double a[SLIDER_CRANK_
     return square;
 }
 
-/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
- * units of the arm's size, accounts for. */
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+ * metres, accounts for. */
 static int slider_crank_passive_is_next_to(const double q[SLIDER_CRANK_PASSIVE_JOINTS], const double seed[SLIDER_CRANK_PASSIVE_JOINTS], double missed)
 {
-    int next = 1;
+    const double allowed = 1e-6 + 100.0 / SLIDER_CRANK_PASSIVE_SIZE * missed;
+    double square = 0.0;
     for (int i = 0; i < SLIDER_CRANK_PASSIVE_JOINTS; ++i) {
-        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
     }
-    return next;
+    return square <= allowed * allowed;
 }
 
 /* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
@@ -2087,8 +2090,8 @@ static void slider_crank_passive_stay_at_seed(
     slider_crank_passive_solution there;
     double from[SLIDER_CRANK_PASSIVE_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    const double missed = slider_crank_passive_corrected(seed, 0, target, given, &there) / SLIDER_CRANK_PASSIVE_SIZE;
-    if (!(missed <= 2e-2)) {
+    const double missed = slider_crank_passive_corrected(seed, 0, target, given, &there);
+    if (!(missed <= 2e-2 * SLIDER_CRANK_PASSIVE_SIZE)) {
         return;
     }
     slider_crank_passive_whole(seed, given, from);

@@ -1685,15 +1685,16 @@ static double ur5e_squared_distance(const double a[UR5E_JOINTS], const double b[
     return square;
 }
 
-/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
- * units of the arm's size, accounts for. */
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+ * metres, accounts for. */
 static int ur5e_is_next_to(const double q[UR5E_JOINTS], const double seed[UR5E_JOINTS], double missed)
 {
-    int next = 1;
+    const double allowed = 1e-6 + 100.0 / UR5E_SIZE * missed;
+    double square = 0.0;
     for (int i = 0; i < UR5E_JOINTS; ++i) {
-        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
     }
-    return next;
+    return square <= allowed * allowed;
 }
 
 /* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
@@ -1706,8 +1707,8 @@ static void ur5e_stay_at_seed(
     ur5e_solution there;
     double from[UR5E_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    const double missed = ur5e_corrected(seed, 0, target, given, &there) / UR5E_SIZE;
-    if (!(missed <= 2e-2)) {
+    const double missed = ur5e_corrected(seed, 0, target, given, &there);
+    if (!(missed <= 2e-2 * UR5E_SIZE)) {
         return;
     }
     ur5e_whole(seed, given, from);

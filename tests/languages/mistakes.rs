@@ -123,12 +123,12 @@ const OF_STAYING: [[&str; 2]; 6] = [
         "solutions[k].singular && apart",
         "!solutions[k].singular && apart",
     ],
-    ["(missed <= 2e-2)", "(missed <= 0.0)"],
+    ["(missed <= 2e-2 *", "(missed <= 0.0 *"],
     [
         "mistaken_corrected(seed, 40,",
         "mistaken_corrected(seed, 1,",
     ],
-    ["1e-6 + 100.0 * missed", "1e6 + 100.0 * missed"],
+    ["1e-6 + 100.0 /", "1e6 + 100.0 /"],
 ];
 
 /// The same in JavaScript.

@@ -274,11 +274,24 @@ where
     ) -> Option<Solution<N>> {
         let mut solution = None;
         let found = self.ask(Asked::Nearest(motion, &mut solution));
-        let missed = missed(seed) / R::ACCEPT.size;
-        let is_near = |it: &Solution<N>| is_next_to(&it.q, seed, missed);
-        if found.is_none() && solution.as_ref().is_some_and(is_near) {
-            return solution;
+        let missed = missed(seed);
+        match &solution {
+            Some(it) if is_next_to(&it.q, seed, missed, R::ACCEPT.size) => return solution,
+            _ => {}
         }
+        self.nearest_of_all(nearest, seed, found, otherwise)
+    }
+
+    /// The same of all solutions.
+    #[cold]
+    #[inline(never)]
+    fn nearest_of_all(
+        &self,
+        nearest: &Nearest<N>,
+        seed: &[Real; N],
+        found: Option<Found<N, L, F>>,
+        otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+    ) -> Option<Solution<N>> {
         let found = found.unwrap_or_else(|| self.branches());
         otherwise(self.with_root(found)).nearest_by(&nearest.from_seed(*seed))
     }

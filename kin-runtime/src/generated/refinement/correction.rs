@@ -77,9 +77,9 @@ pub(super) fn stay_at_seed<const N: usize, const R: usize>(
     if solutions.iter().all(|it| !it.singular) {
         return;
     }
-    let missed = linearize(*seed).residual / accept.size;
-    let is_near = |it: &Solution<N>| it.singular && is_next_to(&it.q, seed, missed);
-    let is_beside = missed <= BESIDE;
+    let missed = linearize(*seed).residual;
+    let is_near = |it: &Solution<N>| it.singular && is_next_to(&it.q, seed, missed, accept.size);
+    let is_beside = missed <= BESIDE * accept.size;
     if !is_beside || solutions.iter().any(is_near) {
         return;
     }
@@ -105,10 +105,20 @@ pub(super) fn stay_at_seed<const N: usize, const R: usize>(
 }
 
 /// Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
-/// in units of the arm's size, accounts for.
-pub(crate) fn is_next_to<const N: usize>(q: &[Real; N], seed: &[Real; N], missed: Real) -> bool {
-    let far = tolerance::SAME + FAR * missed;
-    (0..N).all(|i| (q[i] - seed[i]).abs() <= far)
+/// metres, accounts for in an arm of this size.
+#[inline(always)]
+pub(crate) fn is_next_to<const N: usize>(
+    q: &[Real; N],
+    seed: &[Real; N],
+    missed: Real,
+    size: Real,
+) -> bool {
+    let far = tolerance::SAME + missed * (FAR / size);
+    let mut square = 0.0;
+    for i in 0..N {
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
+    }
+    square <= far * far
 }
 
 /// Angles in (−π, π].

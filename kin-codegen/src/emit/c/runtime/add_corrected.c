@@ -9,15 +9,16 @@ static double kin_squared_distance(const double a[KIN_JOINTS], const double b[KI
     return square;
 }
 
-/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by, in
- * units of the arm's size, accounts for. */
+/* Whether a solution is no farther from a seed, radians and metres, than what this misses the target by,
+ * metres, accounts for. */
 static int kin_is_next_to(const double q[KIN_JOINTS], const double seed[KIN_JOINTS], double missed)
 {
-    int next = 1;
+    const double allowed = 1e-6 + 100.0 / KIN_SIZE * missed;
+    double square = 0.0;
     for (int i = 0; i < KIN_JOINTS; ++i) {
-        next &= fabs(q[i] - seed[i]) <= 1e-6 + 100.0 * missed;
+        square += (q[i] - seed[i]) * (q[i] - seed[i]);
     }
-    return next;
+    return square <= allowed * allowed;
 }
 
 /* A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none is
@@ -30,8 +31,8 @@ static void kin_stay_at_seed(
     kin_solution there;
     double from[KIN_JOINTS], least = HUGE_VAL;
     int nearest = -1, known;
-    const double missed = kin_corrected(seed, 0, target, given, &there) / KIN_SIZE;
-    if (!(missed <= 2e-2)) {
+    const double missed = kin_corrected(seed, 0, target, given, &there);
+    if (!(missed <= 2e-2 * KIN_SIZE)) {
         return;
     }
     kin_whole(seed, given, from);
