@@ -664,8 +664,9 @@ const $stay_at_seed = (arm, lead, from, solutions) => {
     const { found } = there;
     const apart = (a, b) =>
         $joint_distances(arm, a, b).reduce((square, x) => square + x * x, 0.0);
+    /* Of two that mirror each other, as near as rounding tells, the first. */
     const nearest = singular.reduce((one, other) =>
-        apart(other.q, found.q) < apart(one.q, found.q) ? other : one);
+        apart(other.q, found.q) < 0.9 * apart(one.q, found.q) ? other : one);
     const known = solutions[$known_place(arm, found.q, solutions)] ?? nearest;
     /* One that is known may be a whole turn away, which limits may leave no other answer than. */
     if (there.missed <= 1e-13 * arm.form.size && found.singular && known === nearest

@@ -1071,7 +1071,8 @@ static void slider_crank_chain0_stay_at_seed(
     }
     for (int k = 0; k < count; ++k) {
         const double apart = slider_crank_chain0_squared_distance(solutions[k].q, there.q);
-        if (solutions[k].singular && apart < least) {
+        /* Of two that mirror each other, as near as rounding tells, the first. */
+        if (solutions[k].singular && apart < 0.9 * least) {
             least = apart;
             nearest = k;
         }
@@ -1576,7 +1577,8 @@ static void slider_crank_chain1_stay_at_seed(
     }
     for (int k = 0; k < count; ++k) {
         const double apart = slider_crank_chain1_squared_distance(solutions[k].q, there.q);
-        if (solutions[k].singular && apart < least) {
+        /* Of two that mirror each other, as near as rounding tells, the first. */
+        if (solutions[k].singular && apart < 0.9 * least) {
             least = apart;
             nearest = k;
         }
@@ -2106,7 +2108,8 @@ static void slider_crank_passive_stay_at_seed(
     }
     for (int k = 0; k < count; ++k) {
         const double apart = slider_crank_passive_squared_distance(solutions[k].q, there.q);
-        if (solutions[k].singular && apart < least) {
+        /* Of two that mirror each other, as near as rounding tells, the first. */
+        if (solutions[k].singular && apart < 0.9 * least) {
             least = apart;
             nearest = k;
         }

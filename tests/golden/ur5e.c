@@ -1723,7 +1723,8 @@ static void ur5e_stay_at_seed(
     }
     for (int k = 0; k < count; ++k) {
         const double apart = ur5e_squared_distance(solutions[k].q, there.q);
-        if (solutions[k].singular && apart < least) {
+        /* Of two that mirror each other, as near as rounding tells, the first. */
+        if (solutions[k].singular && apart < 0.9 * least) {
             least = apart;
             nearest = k;
         }

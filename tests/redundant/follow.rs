@@ -192,3 +192,41 @@ fn no_probe_is_an_answer() {
     }
     assert!(found > 300, "{found}");
 }
+
+/// From next to where the shoulder is straight up, or the wrist straight, to there: of the values of the
+/// parameter that are near one keeps the other joints at rest.
+fn follows_into_a_singularity<K: RedundantKinematics<N>, const N: usize>(arm: &K, joint: usize) {
+    let mut random = Random::new(24);
+    let mut steps = 0;
+    for k in 0..200 {
+        let mut q: [f64; N] = std::array::from_fn(|i| {
+            let travel = K::LIMITS[i];
+            let reach = |stop: f64| stop.clamp(-1.5, 1.5);
+            random.between(reach(travel.lower()), reach(travel.upper()))
+        });
+        q[joint] = 0.0;
+        let mut from = q;
+        from[joint] = if k % 2 == 0 { 1e-3 } else { 1e-2 };
+        let target = arm.fk(&q);
+        let [before, after] = [from, q].map(|q| arm.parameter_of(&target, &q));
+        let mut how = Follow::new(&K::LIMITS, 2e-2);
+        how.step = [0.1; N];
+        if (after - before).abs() > how.rate {
+            continue;
+        }
+        let step = arm.ik_follow(&target, &from, &how).unwrap();
+        assert!(!step.jumps, "{from:?}: {step:?}");
+        steps += 1;
+    }
+    assert!(steps > 50, "{steps}");
+}
+
+#[test]
+fn an_iiwa_is_followed_to_where_its_shoulder_is_straight_up() {
+    follows_into_a_singularity(&crate::Iiwa14, 1);
+}
+
+#[test]
+fn a_kr6_is_followed_to_where_its_wrist_is_straight() {
+    follows_into_a_singularity(&crate::Kr6R900, 4);
+}

@@ -1,5 +1,6 @@
 //! Along a path of targets with a joint to spare.
 
+use crate::generated::refinement::{Problem, levenberg};
 use crate::{JointLimit, Nearest, Pose, RedundantKinematics, Solution};
 
 /// How to go on along a path; see [`RedundantKinematics::ik_follow`].
@@ -33,6 +34,9 @@ const PROBE: f64 = 0.5;
 const SHORTEST_PROBE: f64 = 1e-5;
 /// The slope at which the parameter moves by half the rate.
 const GENTLE: f64 = 0.2;
+/// Evaluations of Levenberg's method at most, and metres that count as a radian.
+const STEPS: usize = 12;
+const SIZE: f64 = 1.0;
 /// Keeps the cost of a joint at its limit finite.
 const ROOM: f64 = 1.02;
 
@@ -104,5 +108,25 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     // What a probe found counts if the parameter may move so far.
     let [below, above] = [below, above].map(|it| it.filter(|_| probe <= follow.rate));
     let goes_on = tries.into_iter().find_map(smooth).or(below).or(above);
+    // Next to a singularity few values leave the other joints at rest.
+    let led = || robot.parameter_of(target, &led(robot, target, from));
+    let near = |parameter: &f64| (parameter - own).abs() <= follow.rate;
+    let goes_on = goes_on.or_else(|| Some(led()).filter(near).and_then(smooth));
     goes_on.or_else(|| at(own))
+}
+
+/// Where Levenberg's method leads, whatever becomes of the parameter.
+#[cold]
+fn led<K: RedundantKinematics<N> + ?Sized, const N: usize>(
+    robot: &K,
+    target: &Pose,
+    from: &[f64; N],
+) -> [f64; N] {
+    let problem = Problem {
+        fk_jacobian: |q: &[f64; N]| robot.fk_jacobian(q),
+        target,
+        size: SIZE,
+        counts: robot.own_target(),
+    };
+    levenberg(&problem, *from, STEPS).q
 }

@@ -210,7 +210,7 @@ pub trait RedundantKinematics<const N: usize>: Kinematics<N> {
     /// from there, and moved by up to `rate` to where the joints are farther from their
     /// limits ([`Follow::crowding`]). What cannot be had without a jump is told as one;
     /// none if there is no solution within limits at the parameter of `from`. Nothing is
-    /// allocated; three to seven calls of [`RedundantKinematics::ik_at`].
+    /// allocated; three to eight calls of [`RedundantKinematics::ik_at`].
     ///
     /// `from` reaches the target before: next to this one.
     fn ik_follow(&self, target: &Pose, from: &[f64; N], how: &Follow<N>) -> Option<PathStep<N>> {

@@ -88,8 +88,13 @@ pub(super) fn stay_at_seed<const N: usize, const R: usize>(
     };
     let q = wrapped(there.q, accept);
     let singular = (0..solutions.len()).filter(|&place| solutions[place].singular);
-    let apart = |place: &usize| solutions.squared_distance(&solutions[*place].q, &q);
-    let Some(nearest) = singular.min_by(|a, b| apart(a).total_cmp(&apart(b))) else {
+    let apart = |place: usize| solutions.squared_distance(&solutions[place].q, &q);
+    // Of two that mirror each other, as near as rounding tells, the first.
+    let nearer = |one, other| match apart(other) < 0.9 * apart(one) {
+        true => other,
+        false => one,
+    };
+    let Some(nearest) = singular.reduce(nearer) else {
         return;
     };
     let moved = |q: &[Real; N]| solutions.squared_distance(q, seed);
