@@ -67,6 +67,7 @@ pub fn correct_branches<const N: usize>(
 /// A singular solution stands for its neighbours as well, which rounding does not tell apart. Where none
 /// is next to a seed that all but reaches the target, the one to which Levenberg's method leads from there
 /// takes the place of the nearest; `finished` tells whether it is one.
+#[inline(never)]
 pub(super) fn stay_at_seed<const N: usize, const R: usize>(
     solutions: &mut Solutions<N>,
     seed: &[Real; N],
