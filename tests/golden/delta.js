@@ -651,12 +651,15 @@ const $corrected = (arm, target, given, solved, evaluations) => {
  * next to a seed that all but reaches the target, the one to which Levenberg's method leads from there takes
  * the place of the nearest; `from` is all of the seed. */
 const $stay_at_seed = (arm, lead, from, solutions) => {
+    const singular = solutions.filter(({ singular }) => singular);
+    if (singular.length === 0) {
+        return;
+    }
     const missed = lead(0).missed / arm.form.size;
     const far = 1e-6 + 100.0 * missed;
     const is_next = ({ q }) =>
         q.reduce((square, x, i) => square + (x - from[i]) * (x - from[i]), 0.0) <= far * far;
-    const singular = solutions.filter(({ singular }) => singular);
-    if (singular.length === 0 || !(missed <= 2e-2) || singular.some(is_next)) {
+    if (!(missed <= 2e-2) || singular.some(is_next)) {
         return;
     }
     /* Most take four; beside a fold each may halve what is left. */
