@@ -109,9 +109,11 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     let [below, above] = [below, above].map(|it| it.filter(|_| probe <= follow.rate));
     let goes_on = tries.into_iter().find_map(smooth).or(below).or(above);
     // Next to a singularity few values leave the other joints at rest.
-    let led = || robot.parameter_of(target, &led(robot, target, from));
-    let near = |parameter: &f64| (parameter - own).abs() <= follow.rate;
-    let goes_on = goes_on.or_else(|| Some(led()).filter(near).and_then(smooth));
+    let goes_on = goes_on.or_else(|| {
+        let parameter = robot.parameter_of(target, &led(robot, target, from));
+        let is_near = (parameter - own).abs() <= follow.rate;
+        is_near.then(|| smooth(parameter)).flatten()
+    });
     goes_on.or_else(|| at(own))
 }
 
