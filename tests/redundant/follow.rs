@@ -227,6 +227,6 @@ fn an_iiwa_is_followed_to_where_its_shoulder_is_straight_up() {
 }
 
 #[test]
-fn a_kr6_is_followed_to_where_its_wrist_is_straight() {
-    follows_into_a_singularity(&crate::Kr6R900, 4);
+fn a_torch_is_followed_to_where_its_wrist_is_straight() {
+    follows_into_a_singularity(&crate::Torch, 4);
 }
