@@ -59,7 +59,7 @@ mod __Xarm6 {
     ///
     /// No sequence of subproblems solves the chain. All joints but q6 are eliminated, which leaves a trigonometric polynomial of degree 8 in it; where that is not sure to tell all solutions, q1, then q4 is kept.
     ///
-    /// 16 branches. Verified on 612 configurations: all recovered, 4924 solutions, the worst 6.2e-14 m from its target.
+    /// 16 branches. Verified on 612 configurations: all recovered, 4924 solutions, the worst 3.3e-14 m from its target.
     ///
     /// # Branches
     ///

@@ -21,7 +21,7 @@ const BOUNDS: [[&str; 2]; 5] = [
 /// The same of the search for the roots of a polynomial in one joint. A wrong pivot is not of them:
 /// the noise tells, and reflections make up for it. Nor are miscounted signs next to coefficients without
 /// one: such an interval is taken for several roots, of which all are found.
-const OF_SEARCH: [[&str; 2]; 16] = [
+const OF_SEARCH: [[&str; 2]; 17] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
     [
         "im[2][k] = re[1][k] - re[0][k]",
@@ -44,6 +44,7 @@ const OF_SEARCH: [[&str; 2]; 16] = [
     ["found->gap <= 1e-9", "found->gap <= 1e-1"],
     ["turned += 2.0 * step", "turned += step"],
     ["count != candidate->zeros.count", "count < 0"],
+    ["out[n][k] -= power", "out[n][k] += power"],
 ];
 
 /// The same of what moves branches to the arm as given.
@@ -228,7 +229,7 @@ const OF_TURNING_IN_JS: [[&str; 2]; 4] = [
 ];
 
 /// The same of the search in JavaScript.
-const OF_SEARCH_IN_JS: [[&str; 2]; 19] = [
+const OF_SEARCH_IN_JS: [[&str; 2]; 20] = [
     ["- 2.0 * (across + ", "+ 2.0 * (across + "],
     [
         "im[2][k] = re[1][k] - re[0][k]",
@@ -248,9 +249,10 @@ const OF_SEARCH_IN_JS: [[&str; 2]; 19] = [
     ["solution.q[i]) < $SAME", "solution.q[i]) < 1.0"],
     ["const $SINGULAR = 1e-5", "const $SINGULAR = 1e-2"],
     ["search.gap <= 1e-9", "search.gap <= 1e-1"],
-    ["return unclear;", "return [];"],
+    ["return unclear.map((", "return [].map(("],
     ["sum + 2.0 * step", "sum + step"],
     ["count === zeros.count", "count >= 0"],
+    ["sum + row[i], 0.0) * (-1.0", "sum + row[i], 0.0) * (1.0"],
 ];
 
 /// The same of what moves branches to the arm as given.

@@ -1,6 +1,7 @@
 //! Six joints without a closed form: the constants of the elimination, and
 //! what they are good for at run time, against the generic search.
 
+mod aligned;
 mod arms;
 mod families;
 mod right_angles;

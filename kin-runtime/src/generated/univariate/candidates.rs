@@ -1,8 +1,14 @@
 //! Roots near which there may be several solutions.
 
 use super::harmonics::Harmonics;
+use super::polynomial::NOISY;
 use super::roots::{MOST, Roots};
+use super::sharing::SHARING;
 use super::zeros::{Zeros, zeros_near};
+use crate::math;
+
+/// Where zeros have met is one place, radians, that others are farther from.
+const SAME: f64 = 1e-6;
 
 /// One of them.
 #[derive(Clone, Copy, Default)]
@@ -15,6 +21,8 @@ pub(super) struct Candidate {
     pub is_several: bool,
     /// The polynomial's zeros near it, if they could be counted.
     pub zeros: Option<Zeros>,
+    /// Whether these have met there.
+    pub is_met: bool,
 }
 
 /// Those whose solutions are not known yet.
@@ -37,6 +45,10 @@ impl Candidates {
         self.all[..self.count].iter()
     }
 
+    pub fn all_mut(&mut self) -> impl Iterator<Item = &mut Candidate> {
+        self.all[..self.count].iter_mut()
+    }
+
     /// Adds a root by its number.
     pub fn push(&mut self, roots: &Roots, number: usize) {
         self.all[self.count % MOST] = Candidate {
@@ -44,6 +56,7 @@ impl Candidates {
             is_double: roots.is_double(number),
             is_several: roots.is_several(number),
             zeros: None,
+            is_met: false,
         };
         self.count += 1;
     }
@@ -72,6 +85,37 @@ impl Candidates {
             let has_fold = |zeros: &Zeros| fold.is_some_and(|fold| zeros.are_near(fold));
             rest[0].zeros = zeros.filter(|zeros| !has_fold(zeros));
         }
+        // Next to a target with a family of solutions what is nearly taken to zero is more than theirs.
+        if f.noise < NOISY {
+            self.gather(f);
+        }
+    }
+
+    /// Leaves one candidate where a few zeros have met, at the angle where they have.
+    fn gather(&mut self, f: &Harmonics) {
+        for i in 0..self.count {
+            let it = &mut self.all[i];
+            let few = |zeros: &Zeros| (2..=SHARING).contains(&zeros.count);
+            let zeros = it
+                .zeros
+                .filter(few)
+                .filter(|_| it.is_double || it.is_several);
+            if let Some(angle) = zeros.and_then(|zeros| zeros.meeting(f)) {
+                (it.angle, it.is_met) = (angle, true);
+            }
+        }
+        let mut kept = 0;
+        for i in 0..self.count {
+            let it = self.all[i];
+            let same = |known: &Candidate| {
+                known.is_met && it.is_met && math::wrap(known.angle - it.angle).abs() < SAME
+            };
+            if !self.all[..kept].iter().any(same) {
+                self.all[kept] = it;
+                kept += 1;
+            }
+        }
+        self.count = kept;
     }
 }
 
@@ -112,6 +156,29 @@ mod tests {
         for fold in [0.0, 0.005, -0.002, core::f64::consts::TAU] {
             assert_eq!(counted(Some(fold)), [None; 2], "{fold}");
         }
+    }
+
+    /// The square of the square of sin((θ − 1) / 2), seen at three places about its zero.
+    #[test]
+    fn where_zeros_have_met_one_candidate_is_left() {
+        let values: [f64; 24] = core::array::from_fn(|k| {
+            let angle = core::f64::consts::TAU / samples(8) as f64 * k as f64;
+            (1.0 - (angle - 1.0).cos()).powi(2) * (2.0 - angle.cos())
+        });
+        let f = Harmonics::new(8, &values[..samples(8)]);
+        let mut candidates = Candidates::default();
+        for (i, off) in [-1e-3, 0.0, 2e-3].into_iter().enumerate() {
+            candidates.all[i] = Candidate {
+                angle: 1.0 + off,
+                is_several: true,
+                ..Candidate::default()
+            };
+        }
+        candidates.count = 3;
+        candidates.count_zeros(None, &f);
+        let left: Vec<_> = candidates.all().collect();
+        assert_eq!(left.len(), 1);
+        assert!(left[0].is_met && (left[0].angle - 1.0).abs() < 1e-9);
     }
 
     #[test]

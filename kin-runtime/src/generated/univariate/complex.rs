@@ -1,5 +1,7 @@
 //! Complex numbers, as real and imaginary part.
 
+use super::lanes::Lanes;
+
 pub(super) type Complex = [f64; 2];
 
 /// Of the absolute value.
@@ -13,6 +15,12 @@ pub(super) fn conjugate([re, im]: Complex) -> Complex {
 
 pub(super) fn product(x: Complex, y: Complex) -> Complex {
     plus([0.0; 2], x, y)
+}
+
+/// The same in lanes.
+#[inline(always)]
+pub(super) fn product_of<L: Lanes>([a, b]: [L; 2], [c, d]: [L; 2]) -> [L; 2] {
+    [(a * c).minus(&b, &d), (a * d).plus(&b, &c)]
 }
 
 /// sum + x y.

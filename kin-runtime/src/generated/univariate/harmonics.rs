@@ -210,6 +210,17 @@ impl Harmonics {
         }
         out
     }
+
+    /// f′, with the noise of f.
+    pub fn derivative(&self) -> Self {
+        let mut out = *self;
+        for k in 0..=DEGREE {
+            let order = k as f64;
+            out.cosines[k] = order * self.sines[k];
+            out.sines[k] = -order * self.cosines[k];
+        }
+        out
+    }
 }
 
 #[cfg(test)]

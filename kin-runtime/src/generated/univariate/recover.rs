@@ -6,7 +6,7 @@ use super::frames::Frames;
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::line::{ENTRIES, Lines};
 use super::matrix::{Places, Vectors};
-use super::sharing::{Ratio, monomial_vectors};
+use super::sharing::{Eigenvalues, Ratio, monomial_vectors};
 use crate::Pose;
 use crate::generated::dispatch::{Dispatched, dispatch};
 
@@ -25,6 +25,10 @@ pub(super) struct Starts {
     pub inconsistency: [f64; LANES],
 }
 
+/// Where an eigenvalue and what is taken to zero are known to this share of how far the eigenvalues are
+/// apart, so is a vector of monomials.
+const KNOWN: f64 = 1e-4;
+
 /// What is nearly taken to zero at values of the kept joint, in lanes: the first vectors are those
 /// of a space of fewer.
 pub(super) struct NullSpace<const N: usize> {
@@ -41,6 +45,36 @@ impl<const N: usize> NullSpace<N> {
     pub fn dimension(&self, lane: usize) -> usize {
         let is_null = |length: &&[f64; LANES]| length[lane] < NULL;
         self.lengths.iter().filter(is_null).count()
+    }
+}
+
+/// Starts from the vectors of monomials in a space.
+pub(super) struct Shared<const N: usize> {
+    pub starts: [Starts; N],
+    eigenvalues: Eigenvalues<N>,
+}
+
+impl<const N: usize> Shared<N> {
+    /// The starts in a lane, but for those of complex eigenvalues.
+    pub fn real(&self, lane: usize) -> impl Iterator<Item = &Starts> {
+        let is_real = move |&n: &usize| !self.eigenvalues.is_complex(n, lane);
+        (0..N).filter(is_real).map(|n| &self.starts[n])
+    }
+
+    /// How many of the vectors in a lane are of no solution, complex or off by more than a solution
+    /// may be: none where nobody knows.
+    pub fn extraneous(&self, space: &NullSpace<N>, lane: usize, off: f64) -> usize {
+        let error = space.lengths[N - 1][lane];
+        // Not a number is not less.
+        let is_known = error < KNOWN * self.eigenvalues.apart(lane);
+        let is_none = |n: usize| {
+            let inconsistency = self.starts[n].inconsistency[lane];
+            self.eigenvalues.is_complex(n, lane) || inconsistency > off
+        };
+        match is_known {
+            true => (0..N).filter(|&n| is_none(n)).count(),
+            false => 0,
+        }
     }
 }
 
@@ -88,7 +122,7 @@ impl<'a> Recovery<'a> {
         kept: &[f64; LANES],
         space: &[InAll; N],
         ratio: Ratio,
-    ) -> [Starts; N] {
+    ) -> Shared<N> {
         in_lanes::<Sharing<N>, _>((self, kept, space, ratio))
     }
 
@@ -376,12 +410,12 @@ impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES])> for Nearly<N> {
 }
 
 impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES], &[InAll; N], Ratio)> for Sharing<N> {
-    type Output = [Starts; N];
+    type Output = Shared<N>;
 
     #[inline(always)]
     fn run<L: Lanes>(
         (recovery, kept, space, ratio): (&Recovery, &[f64; LANES], &[InAll; N], Ratio),
-    ) -> [Starts; N] {
+    ) -> Shared<N> {
         let kept = L::of(*kept);
         let mut vectors = [[L::ZERO; SIZE]; N];
         for (out, x) in vectors
@@ -393,12 +427,16 @@ impl<const N: usize> InLanes<(&Recovery<'_>, &[f64; LANES], &[InAll; N], Ratio)>
         }
         let [last, before] = recovery.elimination.powers;
         let powers = [usize::from(last.min(3)), usize::from(before.min(3))];
-        let vectors = monomial_vectors(&vectors, &|i, j| recovery.column(i, j), powers, ratio);
-        let mut out = [recovery.of_null_vectors(kept, &vectors[0]); N];
+        let column = |i, j| recovery.column(i, j);
+        let (vectors, eigenvalues) = monomial_vectors(&vectors, &column, powers, ratio);
+        let mut starts = [recovery.of_null_vectors(kept, &vectors[0]); N];
         for n in 1..N {
-            out[n] = recovery.of_null_vectors(kept, &vectors[n]);
+            starts[n] = recovery.of_null_vectors(kept, &vectors[n]);
         }
-        out
+        Shared {
+            starts,
+            eigenvalues,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::found::{Answer, Found, NEXT_TO, REACHED, Waiting};
 use super::polish::{Polished, polished};
 use super::polynomial::{NOISY, polynomial};
 use super::recover::{Recovery, Starts};
-use super::roots::{CLUSTER, Roots, roots};
+use super::roots::{CLUSTER, MOST, Roots, roots};
 use super::sharing::{RATIOS, SHARING};
 use super::split::split;
 use super::{LANES, Outcome, Univariate};
@@ -22,6 +22,9 @@ const EXTRANEOUS: f64 = 0.05;
 /// The same of several that have almost met: at one value of the kept joint what is nearly taken
 /// to zero is their space but for how far their own values are apart, and its vectors mix them.
 const MIXED: f64 = 0.5;
+
+/// The same of one that eigenvalues tell from others: of no solution.
+const OF_NONE: f64 = 0.2;
 
 /// Where they are off by less, a null vector is of one solution, and no mixture.
 const PURE: f64 = 1e-3;
@@ -304,7 +307,7 @@ impl<'a> Search<'a> {
                 return;
             }
             let space = recovery.null_space::<2>(&kept).vectors;
-            for starts in recovery.sharing(&kept, &space, RATIOS[0]) {
+            for starts in recovery.sharing(&kept, &space, RATIOS[0]).starts {
                 (0..LANES).for_each(|k| self.start_of(&starts, k, EXTRANEOUS));
             }
             self.arrive();
@@ -348,30 +351,40 @@ impl<'a> Search<'a> {
         self.meet();
     }
 
-    /// Adds the solution at every root, if it has one; those that may have more.
+    /// Adds the solution at every root that is one, if it has one; those that may have more.
     fn one_each(&mut self, recovery: &Recovery, roots: &Roots) -> Candidates {
         let mut unclear = Candidates::default();
-        for (i, chunk) in roots.angles[..roots.count].chunks(LANES).enumerate() {
-            let at = |k: usize| chunk[k.min(chunk.len() - 1)];
-            let starts = recovery.joints(&core::array::from_fn(at));
+        let is_one = |&root: &usize| !roots.is_double(root) && !roots.is_several(root);
+        (0..roots.count)
+            .filter(|root| !is_one(root))
+            .for_each(|root| unclear.push(roots, root));
+        let mut left = (0..roots.count).filter(is_one);
+        while let Some(first) = left.next() {
+            let (mut some, mut count) = ([first; LANES], 1);
+            for root in left.by_ref().take(LANES - 1) {
+                some[count] = root;
+                count += 1;
+            }
+            let starts = recovery.joints(&some.map(|root| roots.angles[root % MOST]));
             let mut new = Waiting::default();
             let mut candidates = [0; LANES];
-            for k in 0..chunk.len() {
-                let candidate = LANES * i + k;
+            for (k, &root) in some[..count].iter().enumerate() {
                 let before = self.found.again;
                 let off = starts.inconsistency[k];
-                let one = !roots.is_double(candidate) && !roots.is_several(candidate);
                 let known = self.mark_if_known(&starts.q, k);
                 // Next to another one a root is known to half of its digits.
-                let mixed = off >= EXTRANEOUS && roots.has_neighbour(candidate);
-                if known && (self.found.again == before || off > PURE) || !one || mixed {
-                    unclear.push(roots, candidate);
+                let mixed = off >= EXTRANEOUS && roots.has_neighbour(root);
+                if known && (self.found.again == before || off > PURE) || mixed {
+                    unclear.push(roots, root);
                 } else if !known && off < EXTRANEOUS {
-                    candidates[new.count] = candidate;
+                    candidates[new.count] = root;
                     new.push(starts.q.map(|q| q[k]));
-                } else if !known && recovery.null_space::<2>(&[chunk[k]; LANES]).dimension(0) > 1 {
+                } else if !known {
+                    let at = [roots.angles[root % MOST]; LANES];
                     // Where more is taken to zero than what is of a solution, a vector need not be.
-                    unclear.push(roots, candidate);
+                    if recovery.null_space::<2>(&at).dimension(0) > 1 {
+                        unclear.push(roots, root);
+                    }
                 }
             }
             if new.count == 0 {
@@ -379,15 +392,14 @@ impl<'a> Search<'a> {
             }
             let (from, count) = new.take();
             let arrived = self.polished(&from, STEPS);
-            for (k, &candidate) in candidates[..count].iter().enumerate() {
+            for (k, &root) in candidates[..count].iter().enumerate() {
                 let before = self.found.again;
                 self.insert(&arrived, k);
                 let new = self.found.again & !before;
-                let root = roots.angles[candidate];
                 // It may have led to the solution at another root.
-                let mut near = self.kept_near(recovery.elimination, root);
+                let mut near = self.kept_near(recovery.elimination, roots.angles[root]);
                 if !near.any(|(place, _)| new >> place & 1 == 1) {
-                    unclear.push(roots, candidate);
+                    unclear.push(roots, root);
                 }
             }
         }
@@ -418,20 +430,31 @@ impl<'a> Search<'a> {
         wanted: impl Fn(&Candidate) -> bool,
         off: f64,
     ) {
-        let wanted = |it: &&Candidate| wanted(it);
-        let mut left = unclear.all().filter(wanted).count();
-        let (mut kept, mut count) = ([0.0; LANES], 0);
-        for candidate in unclear.all().filter(wanted) {
-            kept[count..].fill(candidate.angle);
-            (count, left) = (count + 1, left - 1);
-            if count == LANES || left == 0 {
-                let space = recovery.null_space::<N>(&kept).vectors;
-                for starts in recovery.sharing(&kept, &space, RATIOS[0]) {
-                    (0..count).for_each(|k| self.start_of(&starts, k, off));
+        let mut left = unclear.all_mut().filter(|it| wanted(it));
+        while let Some(first) = left.next() {
+            let mut some: [Option<&mut Candidate>; LANES] = Default::default();
+            let mut kept = [first.angle; LANES];
+            some[0] = Some(first);
+            for (k, next) in (1..LANES).zip(&mut left) {
+                kept[k] = next.angle;
+                some[k] = Some(next);
+            }
+            let space = recovery.null_space::<N>(&kept);
+            let shared = recovery.sharing(&kept, &space.vectors, RATIOS[0]);
+            for (k, candidate) in some.into_iter().flatten().enumerate() {
+                let met = candidate
+                    .zeros
+                    .as_mut()
+                    .filter(|it| candidate.is_met && it.count == N);
+                if let Some(zeros) = met {
+                    zeros.count -= shared.extraneous(&space, k, OF_NONE);
                 }
-                count = 0;
+                for starts in shared.real(k) {
+                    self.start_of(starts, k, off);
+                }
             }
         }
+        drop(left);
         self.arrive();
         self.drop_complete(recovery.elimination, unclear);
     }
@@ -487,7 +510,7 @@ impl<'a> Search<'a> {
             if !missing.contains(&true) {
                 return;
             }
-            let all = recovery.sharing(&kept, &space.vectors, ratio);
+            let all = recovery.sharing(&kept, &space.vectors, ratio).starts;
             for k in (0..count).filter(|&k| missing[k]) {
                 all.iter()
                     .for_each(|starts| self.start_of(starts, k, MIXED));

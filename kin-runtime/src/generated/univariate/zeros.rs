@@ -5,6 +5,7 @@
 //! differs from f by less than |f| there. In t = tan((θ − angle) / 2) a circle about zero is its own
 //! mirror image, as f is: half of it tells all.
 
+use super::complex::product_of;
 use super::harmonics::{DEGREE, Harmonics};
 use super::lanes::{InLanes, LANES, Lanes, in_lanes};
 use super::roots::{STANDS_FOR, UNSIGNED};
@@ -42,6 +43,16 @@ const FOLLOWED: f64 = 2.0;
 /// none of these.
 const TELLING: f64 = 2.5 * UNSIGNED;
 
+/// Steps of Newton's method towards where zeros have met.
+const STEPS: usize = 6;
+
+/// The derivative before the last one that is zero there, as a multiple of the next: where it is less, the
+/// zeros' angles are 3e-5 apart at most, radians.
+const MET: f64 = 1e-10;
+
+/// So near to it, radians, that is known.
+const SETTLED: f64 = 1e-9;
+
 /// The zeros near an angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Zeros {
@@ -57,6 +68,25 @@ impl Zeros {
     /// Whether an angle, radians, is one of them if it is a zero.
     pub fn are_near(&self, angle: f64) -> bool {
         math::wrap(angle - self.angle).abs() < self.within
+    }
+
+    /// Where they have met, or all but met: f and its derivatives but for the last are nearly zero there,
+    /// and of the last but one it is a zero that is found to all digits.
+    pub fn meeting(&self, f: &Harmonics) -> Option<f64> {
+        let mut before = *f;
+        for _ in 2..self.count {
+            before = before.derivative();
+        }
+        let mut angle = self.angle;
+        for _ in 0..STEPS {
+            let (sine, cosine) = math::sin_cos(angle);
+            let [height, slope, curvature] = before.derivatives([cosine, sine]);
+            if height.abs() <= MET * curvature.abs() && slope.abs() <= SETTLED * curvature.abs() {
+                return self.are_near(angle).then_some(angle);
+            }
+            angle -= slope / curvature;
+        }
+        None
     }
 
     /// Whether all that a candidate at an angle, radians, stands for are among them.
@@ -163,8 +193,8 @@ impl InLanes<(&About, f64)> for OnCircle {
             let (mut p, mut q) = ([L::ZERO; 2], [L::ZERO; 2]);
             for k in (1..=f.degree.min(DEGREE)).rev() {
                 let [a, b] = f.harmonics[k];
-                p = product([p[0] + L::splat(a), p[1] + L::splat(b)], ahead);
-                q = product([q[0] + L::splat(a), q[1] - L::splat(b)], back);
+                p = product_of([p[0] + L::splat(a), p[1] + L::splat(b)], ahead);
+                q = product_of([q[0] + L::splat(a), q[1] - L::splat(b)], back);
             }
             let constant = f.harmonics[0][0];
             let re = p[0] + q[0] + L::splat(constant + constant);
@@ -175,12 +205,6 @@ impl InLanes<(&About, f64)> for OnCircle {
         }
         values
     }
-}
-
-/// Of complex numbers.
-#[inline(always)]
-fn product<L: Lanes>([a, b]: [L; 2], [c, d]: [L; 2]) -> [L; 2] {
-    [(a * c).minus(&b, &d), (a * d).plus(&b, &c)]
 }
 
 #[cfg(test)]
@@ -235,6 +259,29 @@ mod tests {
             f.sines[i] += noise * (part(20 * k + 9 + i) - 0.5);
         }
         f
+    }
+
+    /// Seen from beside; a few that are apart have not met.
+    #[test]
+    fn where_zeros_have_met_is_known_to_all_digits() {
+        for count in 2..=4 {
+            for spread in [0.0, 1e-6, 1e-3] {
+                let mut real = [1.3, 1.3 + spread, 1.3, 1.3 - spread];
+                let far = [-2.0, 0.0];
+                real[count..].copy_from_slice(&far[..4 - count]);
+                let zeros = zeros_near(&with_zeros(&real, &[]), 1.302).unwrap();
+                assert_eq!(zeros.count, count);
+                let met = zeros.meeting(&with_zeros(&real, &[]));
+                let mean = real[..count].iter().sum::<f64>() / count as f64;
+                match met {
+                    None => assert_eq!(spread, 1e-3),
+                    Some(angle) => {
+                        assert!((angle - mean).abs() < 1e-9 + spread * spread, "{angle}")
+                    }
+                }
+                assert_eq!(met.is_some(), spread < 1e-3);
+            }
+        }
     }
 
     #[test]

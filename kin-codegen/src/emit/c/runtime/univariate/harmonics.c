@@ -108,6 +108,16 @@ static void kin_derivatives(const kin_harmonics *f, double angle, double out[3])
     }
 }
 
+/* f becomes f', with the noise of f. */
+static void kin_differentiate(kin_harmonics *f)
+{
+    for (int k = 0; k <= f->degree; ++k) {
+        const double cosine = f->cosines[k];
+        f->cosines[k] = k * f->sines[k];
+        f->sines[k] = -k * cosine;
+    }
+}
+
 /* f and f' at some angles: Horner's rule in exp(i angle). */
 KIN_INLINE void kin_value_and_slope(
     const kin_harmonics *f, const double *angle, double *value, double *slope)

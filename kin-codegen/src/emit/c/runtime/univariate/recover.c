@@ -318,11 +318,27 @@ static void kin_recover(const kin_recovery *of, const double *kept, kin_starts *
 /* The configurations that share values of the kept joint or have nearly met there: those of the
  * vectors in so many dimensions of what is nearly taken to zero that are monomials. */
 static void kin_recover_sharing(const kin_recovery *of, const double *kept, kin_pack space[][16],
-    int count, int ratio, kin_starts *out)
+    int count, int ratio, kin_starts *out, kin_eigenvalues *values)
 {
     kin_pack vectors[KIN_SHARING][16];
-    kin_monomial_vectors(of->elimination, space, count, ratio, vectors);
+    kin_monomial_vectors(of->elimination, space, count, ratio, vectors, values);
     for (int i = 0; i < count; ++i) {
         kin_joints_of_vectors(of, kept, vectors[i], &out[i]);
     }
+}
+
+/* How many of so many vectors in a lane are of no solution, complex or off by more than a solution may be;
+ * none where an eigenvalue, or what is taken to zero, is not known as well as the eigenvalues are apart. */
+static int kin_extraneous(const kin_starts *starts, int count, kin_pack *lengths,
+    const kin_eigenvalues *values, int lane, double off)
+{
+    int extraneous = 0;
+    /* Not a number is not less. */
+    if (!(lengths[count - 1][lane] < 1e-4 * values->apart[lane])) {
+        return 0;
+    }
+    for (int n = 0; n < count; ++n) {
+        extraneous += kin_is_complex(values, n, lane) || starts[n].inconsistency[lane] > off;
+    }
+    return extraneous;
 }

@@ -4,6 +4,10 @@
 #define KIN_EXTRANEOUS 0.05
 #define KIN_MIXED 0.5
 #define KIN_PURE 1e-3
+/* The same of a vector that eigenvalues tell from others: of no solution. */
+#define KIN_OF_NONE 0.2
+/* Where zeros have met is one place, radians, that others are farther from. */
+#define KIN_SAME_PLACE 1e-6
 /* What is taken to less may be of solutions next to a value of the kept joint. */
 #define KIN_NULL 1e-2
 /* Relative noise above which no answer is sure. */
@@ -282,6 +286,8 @@ typedef struct kin_candidate {
     /* Whether it is two, and whether nobody knows how many it is. */
     int is_twice, is_several;
     kin_zeros zeros;
+    /* Whether these have met there. */
+    int is_met;
 } kin_candidate;
 
 typedef struct kin_candidates {
@@ -296,6 +302,31 @@ static void kin_push_candidate(kin_candidates *candidates, const kin_roots *root
     candidate->is_twice = roots->twice >> number & 1;
     candidate->is_several = roots->several >> number & 1;
     candidate->zeros = kin_untold;
+    candidate->is_met = 0;
+}
+
+/* Leaves one candidate where a few zeros have met, at the angle where they have. */
+static void kin_gather(const kin_harmonics *f, kin_candidates *candidates)
+{
+    int kept = 0;
+    for (int i = 0; i < candidates->count; ++i) {
+        kin_candidate *it = &candidates->all[i];
+        const int few = it->zeros.count >= 2 && it->zeros.count <= KIN_SHARING;
+        double angle;
+        int known = 0;
+        if (few && (it->is_twice || it->is_several) && kin_find_meeting(f, &it->zeros, &angle)) {
+            it->angle = angle;
+            it->is_met = 1;
+            for (int j = 0; j < kept; ++j) {
+                const kin_candidate *other = &candidates->all[j];
+                known |= other->is_met && fabs(kin_wrap(other->angle - angle)) < KIN_SAME_PLACE;
+            }
+        }
+        if (!known) {
+            candidates->all[kept++] = *it;
+        }
+    }
+    candidates->count = kept;
 }
 
 /* The zeros near candidates; not where a root of all targets was taken from the polynomial. */
@@ -317,6 +348,10 @@ static void kin_count_zeros(
         if (elimination->has_fold && kin_are_near(zeros, elimination->fold)) {
             zeros->count = -1;
         }
+    }
+    /* Next to a target with a family of solutions what is nearly taken to zero is more than theirs. */
+    if (f->noise < KIN_NOISY) {
+        kin_gather(f, candidates);
     }
 }
 
@@ -352,37 +387,44 @@ static int kin_is_of_several(const kin_recovery *recovery, double root)
     return lengths[0][0] < KIN_NULL && lengths[1][0] < KIN_NULL;
 }
 
-/* Adds the solution at every root, if it has one; those that may have more. */
+/* Adds the solution at every root that is one, if it has one; those that may have more. */
 static void kin_one_each(
     kin_search *search, const kin_recovery *recovery, const kin_roots *roots,
     kin_candidates *unclear)
 {
     kin_found *found = &search->found;
+    int ones[KIN_MOST_ROOTS], left = 0;
     unclear->count = 0;
-    for (int first = 0; first < roots->count; first += KIN_LANES) {
-        const int rest = roots->count - first, count = rest < KIN_LANES ? rest : KIN_LANES;
+    for (int i = 0; i < roots->count; ++i) {
+        if ((roots->twice | roots->several) >> i & 1) {
+            kin_push_candidate(unclear, roots, i);
+        } else {
+            ones[left++] = i;
+        }
+    }
+    for (int first = 0; first < left; first += KIN_LANES) {
+        const int rest = left - first, count = rest < KIN_LANES ? rest : KIN_LANES;
         kin_pack kept, from[6];
         kin_starts starts;
         kin_queue fresh;
         kin_arrived arrived;
         int candidates[KIN_LANES], waiting;
         for (int k = 0; k < KIN_LANES; ++k) {
-            kept[k] = roots->angles[first + (k < count ? k : count - 1)];
+            kept[k] = roots->angles[ones[k < count ? first + k : first]];
         }
         kin_recover(recovery, kept, &starts);
         fresh.count = 0;
         for (int k = 0; k < count; ++k) {
-            const int candidate = first + k;
+            const int candidate = ones[first + k];
             const unsigned before = found->again;
             const double off = starts.inconsistency[k];
-            const int one = !((roots->twice | roots->several) >> candidate & 1);
             double q[6];
             int known, mixed;
             kin_in_lane(starts.q, k, q);
             known = kin_is_known(found, q, search->meeting);
             /* Next to another one a root is known to half of its digits. */
             mixed = off >= KIN_EXTRANEOUS && kin_has_neighbour(roots, candidate);
-            if ((known && (found->again == before || off > KIN_PURE)) || !one || mixed) {
+            if ((known && (found->again == before || off > KIN_PURE)) || mixed) {
                 kin_push_candidate(unclear, roots, candidate);
             } else if (!known && off < KIN_EXTRANEOUS) {
                 candidates[fresh.count] = candidate;
@@ -430,6 +472,7 @@ static void kin_share_exactly(
     const kin_elimination *elimination = recovery->elimination;
     kin_pack kept = {0.0}, space[KIN_SHARING][16], lengths[KIN_SHARING];
     kin_starts starts[KIN_SHARING];
+    kin_eigenvalues values;
     int count = 0;
     for (int i = 0; i < unclear->count; ++i) {
         const kin_candidate *candidate = &unclear->all[i];
@@ -462,7 +505,7 @@ static void kin_share_exactly(
         if (!any) {
             return;
         }
-        kin_recover_sharing(recovery, kept, space, KIN_SHARING, ratio, starts);
+        kin_recover_sharing(recovery, kept, space, KIN_SHARING, ratio, starts, &values);
         for (int k = 0; k < count; ++k) {
             for (int i = 0; i < KIN_SHARING && missing[k]; ++i) {
                 kin_start_unknown(search, &starts[i], k, KIN_MIXED);
@@ -530,7 +573,8 @@ static void kin_share(
 {
     kin_pack kept = {0.0}, space[KIN_SHARING][16], lengths[KIN_SHARING];
     kin_starts starts[KIN_SHARING];
-    int count = 0, left = 0;
+    kin_eigenvalues values;
+    int places[KIN_LANES], count = 0, left = 0;
     for (int i = 0; i < unclear->count; ++i) {
         left += is_wanted(&unclear->all[i]);
     }
@@ -541,16 +585,23 @@ static void kin_share(
         for (int k = count; k < KIN_LANES; ++k) {
             kept[k] = unclear->all[i].angle;
         }
-        ++count;
+        places[count++] = i;
         --left;
         if (count < KIN_LANES && left > 0) {
             continue;
         }
         kin_find_null_space(recovery, kept, sharing, space, lengths);
-        kin_recover_sharing(recovery, kept, space, sharing, 0, starts);
-        for (int n = 0; n < sharing; ++n) {
-            for (int k = 0; k < count; ++k) {
-                kin_start_unknown(search, &starts[n], k, off);
+        kin_recover_sharing(recovery, kept, space, sharing, 0, starts, &values);
+        for (int k = 0; k < count; ++k) {
+            kin_candidate *candidate = &unclear->all[places[k]];
+            if (candidate->is_met && candidate->zeros.count == sharing) {
+                candidate->zeros.count -=
+                    kin_extraneous(starts, sharing, lengths, &values, k, KIN_OF_NONE);
+            }
+            for (int n = 0; n < sharing; ++n) {
+                if (!kin_is_complex(&values, n, k)) {
+                    kin_start_unknown(search, &starts[n], k, off);
+                }
             }
         }
         count = 0;
@@ -662,6 +713,7 @@ static void kin_take_members(kin_search *search, const kin_recovery *recovery)
 {
     kin_pack kept, space[KIN_SHARING][16], lengths[KIN_SHARING];
     kin_starts alone, starts[KIN_SHARING];
+    kin_eigenvalues values;
     const int before = search->found.singular_count;
     for (int half = 0; half < 2; ++half) {
         for (int k = 0; k < KIN_LANES; ++k) {
@@ -676,7 +728,7 @@ static void kin_take_members(kin_search *search, const kin_recovery *recovery)
             return;
         }
         kin_find_null_space(recovery, kept, 2, space, lengths);
-        kin_recover_sharing(recovery, kept, space, 2, 0, starts);
+        kin_recover_sharing(recovery, kept, space, 2, 0, starts, &values);
         for (int n = 0; n < 2; ++n) {
             for (int k = 0; k < KIN_LANES; ++k) {
                 kin_start_unknown(search, &starts[n], k, KIN_EXTRANEOUS);

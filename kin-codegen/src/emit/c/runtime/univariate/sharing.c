@@ -4,6 +4,22 @@
 #define KIN_SHARING 4
 #define KIN_RATIOS 3
 typedef kin_pack kin_square[KIN_SHARING][KIN_SHARING];
+/* Rounds of Weierstrass' iteration: those eigenvalues that are apart part by then as far as a start of
+ * Newton's method needs it; and by what share of how far two are apart the last one moves one at most. */
+#define KIN_ROUNDS 12
+#define KIN_SETTLED 1e-4
+
+/* The eigenvalues that belong to vectors of a space: how far each is from the real axis, and the least
+ * distance of two, zero where they are not known; in units of the largest entry of the matrix. */
+typedef struct kin_eigenvalues {
+    kin_pack imaginary[KIN_SHARING], apart;
+} kin_eigenvalues;
+
+/* Whether one is complex, of those that are known, and not one of two real ones that have nearly met. */
+static int kin_is_complex(const kin_eigenvalues *values, int n, int lane)
+{
+    return values->imaginary[n][lane] > 0.01;
+}
 
 /* Where a monomial of the half tangents stands. */
 KIN_INLINE int kin_column(const kin_elimination *elimination, int i, int j)
@@ -93,6 +109,15 @@ static void kin_eigenvectors_of_pair(kin_square t, kin_square out)
     }
 }
 
+static void kin_copy_square(kin_square to, kin_square from)
+{
+    for (int i = 0; i < KIN_SHARING; ++i) {
+        for (int j = 0; j < KIN_SHARING; ++j) {
+            kin_copy(to[i][j], from[i][j]);
+        }
+    }
+}
+
 static void kin_product(kin_square a, kin_square b, kin_square out)
 {
     for (int i = 0; i < KIN_SHARING; ++i) {
@@ -105,7 +130,7 @@ static void kin_product(kin_square a, kin_square b, kin_square out)
     }
 }
 
-/* t = q r by Gram and Schmidt; q takes its place. */
+/* r of t = q r, by Gram and Schmidt; q takes the place of t. */
 static void kin_orthogonalize(kin_square t, kin_square r)
 {
     for (int j = 0; j < KIN_SHARING; ++j) {
@@ -139,10 +164,8 @@ static void kin_orthogonalize(kin_square t, kin_square r)
 static void kin_eigenvector(kin_square given, const kin_pack value, kin_pack out[KIN_SHARING])
 {
     kin_square shifted, r;
+    kin_copy_square(shifted, given);
     for (int i = 0; i < KIN_SHARING; ++i) {
-        for (int j = 0; j < KIN_SHARING; ++j) {
-            kin_copy(shifted[i][j], given[i][j]);
-        }
         for (int k = 0; k < KIN_LANES; ++k) {
             shifted[i][i][k] -= value[k];
         }
@@ -162,57 +185,165 @@ static void kin_eigenvector(kin_square given, const kin_pack value, kin_pack out
     }
 }
 
-/* Eigenvalues by the QR algorithm without shifts, on the fourth power, which has the same vectors
- * and needs a quarter of the rounds: those that are real and apart part by then as far as a start
- * of Newton's method needs it. Where two are complex, two of the vectors are none. */
-static void kin_eigenvectors(kin_square given, kin_square out)
+/* The two of two by two. */
+static void kin_values_of_pair(kin_square t, kin_pack values[][2])
 {
-    kin_square t, r, basis, other;
-    kin_product(given, given, r);
-    kin_product(r, r, t);
-    for (int i = 0; i < KIN_SHARING; ++i) {
-        for (int j = 0; j < KIN_SHARING; ++j) {
-            kin_fill(basis[i][j], i == j ? 1.0 : 0.0);
-        }
-    }
-    for (int round = 0; round < 10; ++round) {
-        kin_orthogonalize(t, r);
-        kin_product(basis, t, other);
-        for (int i = 0; i < KIN_SHARING; ++i) {
-            for (int j = 0; j < KIN_SHARING; ++j) {
-                kin_copy(basis[i][j], other[i][j]);
-            }
-        }
-        kin_product(r, t, other);
-        for (int i = 0; i < KIN_SHARING; ++i) {
-            for (int j = 0; j < KIN_SHARING; ++j) {
-                kin_copy(t[i][j], other[i][j]);
-            }
-        }
-    }
-    kin_product(given, basis, t);
-    for (int c = 0; c < KIN_SHARING; ++c) {
-        kin_pack value;
-        kin_fill(value, 0.0);
-        for (int i = 0; i < KIN_SHARING; ++i) {
-            kin_plus(value, basis[i][c], t[i][c]);
-        }
-        kin_eigenvector(given, value, out[c]);
+    for (int k = 0; k < KIN_LANES; ++k) {
+        const double mean = (t[0][0][k] + t[1][1][k]) * 0.5, half = (t[0][0][k] - t[1][1][k]) * 0.5;
+        const double square = half * half + t[0][1][k] * t[1][0][k], root = sqrt(fabs(square));
+        const double real = kin_select(square, 0.0, 0.0, root);
+        values[0][0][k] = mean + real;
+        values[1][0][k] = mean - real;
+        values[0][1][k] = root - real;
+        values[1][1][k] = real - root;
     }
 }
 
-/* The vectors of monomials in a space of two or four; where two are complex, one of a pair their
- * real part, of more something else. */
-static void kin_monomial_vectors(
-    const kin_elimination *elimination, kin_pack space[][16], int n, int ratio, kin_pack out[][16])
+/* The coefficients of the characteristic polynomial, from the second power's on down but for the first,
+ * which is one (Faddeev and Faddeeva, Computational Methods of Linear Algebra, 1963). */
+static void kin_characteristic(kin_square t, kin_pack out[KIN_SHARING])
+{
+    kin_square power, next;
+    kin_copy_square(power, t);
+    for (int n = 0; n < KIN_SHARING; ++n) {
+        kin_fill(out[n], 0.0);
+        for (int i = 0; i < KIN_SHARING; ++i) {
+            for (int k = 0; k < KIN_LANES; ++k) {
+                out[n][k] -= power[i][i][k] * (1.0 / (n + 1));
+            }
+        }
+        for (int i = 0; i < KIN_SHARING; ++i) {
+            for (int k = 0; k < KIN_LANES; ++k) {
+                power[i][i][k] += out[n][k];
+            }
+        }
+        kin_product(t, power, next);
+        kin_copy_square(power, next);
+    }
+}
+
+/* A round of Weierstrass' iteration for the roots of a polynomial, all at once (Weierstrass, Neuer Beweis
+ * des Satzes, dass jede ganze rationale Function einer Veraenderlichen dargestellt werden kann als ein
+ * Product aus linearen Functionen derselben Veraenderlichen, 1891), and by how much it moves one at most. */
+KIN_INLINE void kin_part_roots_of(kin_pack *polynomial, kin_pack values[][2], double *moved)
+{
+    kin_fill(moved, 0.0);
+    for (int i = 0; i < KIN_SHARING; ++i) {
+        kin_pack above[2], below[2];
+        for (int part = 0; part < 2; ++part) {
+            kin_fill(above[part], part == 0 ? 1.0 : 0.0);
+            kin_fill(below[part], part == 0 ? 1.0 : 0.0);
+        }
+        for (int n = 0; n < KIN_SHARING; ++n) {
+            kin_add_and_multiply(above[0], above[1], 0.0, 0.0, values[i][0], values[i][1]);
+            for (int k = 0; k < KIN_LANES; ++k) {
+                above[0][k] += polynomial[n][k];
+            }
+        }
+        for (int j = 0; j < KIN_SHARING; ++j) {
+            kin_pack apart[2];
+            for (int k = 0; k < KIN_LANES; ++k) {
+                apart[0][k] = values[i][0][k] - values[j][0][k];
+                apart[1][k] = values[i][1][k] - values[j][1][k];
+            }
+            if (j != i) {
+                kin_add_and_multiply(below[0], below[1], 0.0, 0.0, apart[0], apart[1]);
+            }
+        }
+        KIN_EACH_LANE
+        for (int k = 0; k < KIN_LANES; ++k) {
+            const double x = below[0][k], y = below[1][k];
+            const double share = 1.0 / kin_max(x * x + y * y, 1e-200);
+            const double u = (above[0][k] * x + above[1][k] * y) * share;
+            const double v = (above[1][k] * x - above[0][k] * y) * share;
+            values[i][0][k] -= u;
+            values[i][1][k] -= v;
+            moved[k] = kin_max(kin_max(moved[k], fabs(u)), fabs(v));
+        }
+    }
+}
+KIN_BY_PROCESSOR(kin_part_roots, (kin_pack *polynomial, kin_pack values[][2], double *moved),
+    (polynomial, values, moved))
+
+/* The eigenvalues as roots of the characteristic polynomial, and by how much the last round moved one at
+ * most. */
+static void kin_values_of(kin_square given, kin_pack values[][2], double *moved)
+{
+    /* Points about the mean of the eigenvalues, none of which is another one's mirror image. */
+    static const double points[KIN_SHARING][2] = {
+        {0.921, 0.389}, {-0.416, 0.909}, {-0.936, -0.351}, {0.378, -0.926}};
+    kin_square t;
+    kin_pack mean, polynomial[KIN_SHARING];
+    kin_copy_square(t, given);
+    kin_fill(mean, 0.0);
+    for (int i = 0; i < KIN_SHARING; ++i) {
+        kin_plus_scaled(mean, given[i][i], 1.0 / KIN_SHARING);
+    }
+    for (int k = 0; k < KIN_LANES; ++k) {
+        double square = 0.0, radius;
+        for (int i = 0; i < KIN_SHARING; ++i) {
+            t[i][i][k] -= mean[k];
+            for (int j = 0; j < KIN_SHARING; ++j) {
+                square += t[i][j][k] * t[i][j][k];
+            }
+        }
+        radius = sqrt(square * (1.0 / KIN_SHARING));
+        for (int i = 0; i < KIN_SHARING; ++i) {
+            values[i][0][k] = radius * points[i][0];
+            values[i][1][k] = radius * points[i][1];
+        }
+    }
+    kin_characteristic(t, polynomial);
+    for (int round = 0; round < KIN_ROUNDS; ++round) {
+        kin_part_roots(polynomial, values, moved);
+    }
+    for (int i = 0; i < KIN_SHARING; ++i) {
+        kin_plus_scaled(values[i][0], mean, 1.0);
+    }
+}
+
+/* What is told of so many eigenvalues that are known but for an error. */
+static void kin_tell(
+    kin_square of, int n, kin_pack values[][2], const double *error, kin_eigenvalues *out)
+{
+    for (int k = 0; k < KIN_LANES; ++k) {
+        double largest = 0.0, apart = HUGE_VAL, share;
+        for (int i = 0; i < n; ++i) {
+            for (int j = 0; j < n; ++j) {
+                const double x = values[i][0][k] - values[j][0][k];
+                const double y = values[i][1][k] - values[j][1][k];
+                const double distance = sqrt(x * x + y * y);
+                largest = kin_max(largest, fabs(of[i][j][k]));
+                /* Not a number takes its place. */
+                apart = i == j || apart < distance ? apart : distance;
+            }
+        }
+        share = error[k] < KIN_SETTLED * apart ? 1.0 / largest : 0.0;
+        for (int i = 0; i < n; ++i) {
+            out->imaginary[i][k] = fabs(values[i][1][k]) * share;
+        }
+        out->apart[k] = apart * share;
+    }
+}
+
+/* The vectors of monomials in a space of two or four, and what they are multiplied by; where two are
+ * complex, one of a pair their real part, of more something else. */
+static void kin_monomial_vectors(const kin_elimination *elimination, kin_pack space[][16], int n,
+    int ratio, kin_pack out[][16], kin_eigenvalues *told)
 {
     kin_square image, weights;
+    kin_pack values[KIN_SHARING][2], error = {0.0};
     kin_multiplication(elimination, space, n, ratio, image);
     if (n == 2) {
+        kin_values_of_pair(image, values);
         kin_eigenvectors_of_pair(image, weights);
     } else {
-        kin_eigenvectors(image, weights);
+        kin_values_of(image, values, error);
+        for (int i = 0; i < n; ++i) {
+            kin_eigenvector(image, values[i][0], weights[i]);
+        }
     }
+    kin_tell(image, n, values, error, told);
     for (int a = 0; a < n; ++a) {
         for (int i = 0; i < 16; ++i) {
             kin_fill(out[a][i], 0.0);

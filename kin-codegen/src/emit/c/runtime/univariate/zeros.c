@@ -13,6 +13,10 @@
 #define KIN_TELLING (2.5 * KIN_UNSIGNED)
 /* So far from the roots that it stands for a candidate may be, radians. */
 #define KIN_STANDS_FOR (KIN_CLUSTER + KIN_NARROW)
+/* Where zeros have met: the derivative before the last one that is zero there, as a multiple of the next, so
+ * that their angles are 3e-5 apart at most, radians; and so near to it that is known. */
+#define KIN_MET 1e-10
+#define KIN_SETTLED_AT 1e-9
 /* Radii of circles, tangents of half an angle. */
 #define KIN_RADII 6
 static const double kin_radii[KIN_RADII] = {1.5e-3, 3e-3, 6e-3, 1.2e-2, 2.4e-2, 4.8e-2};
@@ -163,4 +167,24 @@ static void kin_find_zeros(const kin_harmonics *f, double angle, kin_zeros *zero
         }
         before = count;
     }
+}
+
+/* Where zeros have met, or all but met: f and its derivatives but for the last are nearly zero there, and
+ * of the last but one it is a zero that is found to all digits. Whether there is such an angle. */
+static int kin_find_meeting(const kin_harmonics *f, const kin_zeros *zeros, double *angle)
+{
+    kin_harmonics before = *f;
+    for (int order = 2; order < zeros->count; ++order) {
+        kin_differentiate(&before);
+    }
+    *angle = zeros->angle;
+    for (int step = 0; step < 6; ++step) {
+        double of[3];
+        kin_derivatives(&before, *angle, of);
+        if (fabs(of[0]) <= KIN_MET * fabs(of[2]) && fabs(of[1]) <= KIN_SETTLED_AT * fabs(of[2])) {
+            return kin_are_near(zeros, *angle);
+        }
+        *angle -= of[1] / of[2];
+    }
+    return 0;
 }

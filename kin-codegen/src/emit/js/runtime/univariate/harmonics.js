@@ -98,6 +98,13 @@ const $derivatives = (f, angle) => {
     return out;
 };
 
+/* f', with the noise of f. */
+const $derivative = (f) => ({
+    ...f,
+    cosines: f.sines.map((sine, k) => k * sine),
+    sines: f.cosines.map((cosine, k) => -k * cosine),
+});
+
 /* f and f' at an angle: Horner's rule in exp(i angle). */
 const $value_and_slope = (f, angle) => {
     const { sine: s, cosine: c } = $sin_cos(angle);

@@ -2,6 +2,10 @@
  * to zero; the vectors of monomials in that space are the eigenvectors of multiplication in it
  * (Auzinger and Stetter, ISNM 86, 1988). So many may share it. */
 const $SHARING = 4;
+/* Rounds of Weierstrass' iteration: those eigenvalues that are apart part by then as far as a start of
+ * Newton's method needs it; and by what share of how far two are apart the last one moves one at most. */
+const $ROUNDS = 12;
+const $SETTLED = 1e-4;
 
 const $zeros = (n) => new Array(n).fill(0.0);
 
@@ -79,7 +83,7 @@ const $times = (a, b) => a.map((row) => b[0].map((_, j) => {
     return sum;
 }));
 
-/* t = q r by Gram and Schmidt; q takes its place. */
+/* r of t = q r, by Gram and Schmidt; q takes the place of t. */
 const $orthogonalize = (t) => {
     const n = t.length;
     const r = $square(n);
@@ -121,36 +125,91 @@ const $eigenvector = (given, value) => {
     return x;
 };
 
-/* Eigenvalues by the QR algorithm without shifts, on the fourth power, which has the same vectors and
- * needs a quarter of the rounds: those that are real and apart part by then as far as a start of
- * Newton's method needs it. Where two are complex, two of the vectors are none. */
-const $eigenvectors = (given) => {
-    const n = given.length;
-    const squared = $times(given, given);
-    let t = $times(squared, squared);
-    let basis = $square(n);
-    basis.forEach((row, i) => (row[i] = 1.0));
-    for (let round = 0; round < 10; ++round) {
-        const r = $orthogonalize(t);
-        basis = $times(basis, t);
-        t = $times(r, t);
-    }
-    const image = $times(given, basis);
-    return basis.map((_, c) => $eigenvector(given, basis.reduce((sum, row, i) => sum + row[c] * image[i][c], 0.0)));
+/* The two eigenvalues of two by two. */
+const $values_of_pair = (t) => {
+    const mean = (t[0][0] + t[1][1]) * 0.5;
+    const half = (t[0][0] - t[1][1]) * 0.5;
+    const square = half * half + t[0][1] * t[1][0];
+    const root = Math.sqrt(Math.abs(square));
+    const real = square < 0.0 ? 0.0 : root;
+    return { values: [[mean + real, root - real], [mean - real, real - root]], error: 0.0 };
 };
 
-/* The vectors of monomials in a space of two or four; where two are complex, one of a pair their real
- * part, of more something else. */
+/* The coefficients of the characteristic polynomial, from the second power's on down but for the first, which
+ * is one (Faddeev and Faddeeva, Computational Methods of Linear Algebra, 1963). */
+const $characteristic = (t) => {
+    let power = t;
+    return t.map((_, k) => {
+        const coefficient = power.reduce((sum, row, i) => sum + row[i], 0.0) * (-1.0 / (k + 1));
+        power = $times(t, power.map((row, i) => row.map((x, j) => (i === j ? x + coefficient : x))));
+        return coefficient;
+    });
+};
+
+/* Points none of which is another one's mirror image. */
+const $ON_CIRCLE = [[0.921, 0.389], [-0.416, 0.909], [-0.936, -0.351], [0.378, -0.926]];
+
+/* The eigenvalues as roots of the characteristic polynomial, all at once from points about their mean
+ * (Weierstrass, Neuer Beweis des Satzes, dass jede ganze rationale Function einer Veränderlichen dargestellt
+ * werden kann als ein Product aus linearen Functionen derselben Veränderlichen, 1891), and by how much the
+ * last round moved one at most. */
+const $values_of = (given) => {
+    const n = given.length;
+    const mean = given.reduce((sum, row, i) => sum + row[i], 0.0) * (1.0 / n);
+    const t = given.map((row, i) => row.map((x, j) => (i === j ? x - mean : x)));
+    const polynomial = $characteristic(t);
+    const radius = Math.sqrt(t.reduce((sum, row) => sum + $dot(row, row), 0.0) * (1.0 / n));
+    const values = $ON_CIRCLE.map((point) => point.map((x) => radius * x));
+    let error = 0.0;
+    for (let round = 0; round < $ROUNDS; ++round) {
+        error = 0.0;
+        values.forEach(([x, y], i) => {
+            const above = polynomial.reduce((sum, coefficient) => {
+                const [re, im] = $complex_product(sum, [x, y]);
+                return [re + coefficient, im];
+            }, [1.0, 0.0]);
+            const below = values.reduce(
+                (product, [u, v], j) => (j === i ? product : $complex_product(product, [x - u, y - v])),
+                [1.0, 0.0]);
+            const share = 1.0 / $max($dot(below, below), 1e-200);
+            const moved = $complex_product(above, [below[0], -below[1]]).map((part) => part * share);
+            error = $max($max(error, Math.abs(moved[0])), Math.abs(moved[1]));
+            values[i] = [x - moved[0], y - moved[1]];
+        });
+    }
+    return { values: values.map(([x, y]) => [x + mean, y]), error };
+};
+
+/* How near two eigenvalues come to each other, in units of the largest entry of the matrix, and which are
+ * complex, and not one of two real ones that have nearly met; of none it is told where they are not known. */
+const $told = (of, { values, error }) => {
+    const largest = Math.max(...of.flat().map(Math.abs));
+    const distances = values.flatMap(([x, y], i) =>
+        values.slice(0, i).map(([u, v]) => Math.sqrt((x - u) * (x - u) + (y - v) * (y - v))));
+    const apart = Math.min(...distances);
+    const are_known = error < $SETTLED * apart;
+    return {
+        apart: are_known ? apart / largest : 0.0,
+        are_complex: values.map(([, y]) => are_known && Math.abs(y) > 0.01 * largest),
+    };
+};
+
+/* The vectors of monomials in a space of two or four, and what is told of what they are multiplied by; where
+ * two are complex, one of a pair their real part, of more something else. */
 const $monomial_vectors = (elimination, space, ratio) => {
     const image = $multiplication(elimination, space, ratio);
-    const all = space.length === 2 ? $eigenvectors_of_pair(image) : $eigenvectors(image);
-    return all.map((weights) => space[0].map((_, i) => {
+    const is_pair = space.length === 2;
+    const of = is_pair ? $values_of_pair(image) : $values_of(image);
+    const all = is_pair
+        ? $eigenvectors_of_pair(image) : of.values.map(([real]) => $eigenvector(image, real));
+    const vectors = all.map((weights) => space[0].map((_, i) => {
         let sum = 0.0;
         for (let b = 0; b < space.length; ++b) {
             sum += space[b][i] * weights[b];
         }
         return sum;
     }));
+    return { vectors, told: $told(image, of) };
 };
 
 /* The last joint, or the last but one, from a vector of monomials: tan of its half is the share of two
@@ -311,6 +370,14 @@ const $null_space_at = (loop, kept, count) =>
 
 /* The configurations that share a value of the kept joint or have nearly met there: those of the
  * vectors in what is nearly taken to zero that are monomials. */
-const $recover_sharing = (loop, kept, space, ratio) =>
-    $monomial_vectors(loop.elimination, space, ratio)
-        .map((vector) => $joints_of_vector(loop, kept, vector));
+const $recover_sharing = (loop, kept, space, ratio) => {
+    const { vectors, told } = $monomial_vectors(loop.elimination, space, ratio);
+    return { starts: vectors.map((vector) => $joints_of_vector(loop, kept, vector)), told };
+};
+
+/* How many of some vectors are of no solution, complex or off by more than a solution may be; none where an
+ * eigenvalue, or what is taken to zero, is not known as well as the eigenvalues are apart. */
+const $extraneous = ({ starts, told }, lengths, off) => {
+    const is_none = ({ inconsistency }, n) => told.are_complex[n] || inconsistency > off;
+    return lengths[lengths.length - 1] < 1e-4 * told.apart ? starts.filter(is_none).length : 0;
+};

@@ -22,6 +22,10 @@ const $FARTHEST = 1e6;
 const $EXTRANEOUS = 0.05;
 const $MIXED = 0.5;
 const $PURE = 1e-3;
+/* The same of a vector that eigenvalues tell from others: of no solution. */
+const $OF_NONE = 0.2;
+/* Where zeros have met is one place, radians, that others are farther from. */
+const $SAME_PLACE = 1e-6;
 /* What is taken to less may be of solutions next to a value of the kept joint. */
 const $NULL = 1e-2;
 /* Relative noise above which no answer is sure. */
@@ -220,32 +224,32 @@ const $start_unknown = (search, { q, inconsistency }, off) => {
 const $kept = (search, { elimination: { joints, backwards } }) =>
     search.regular.map(({ q }) => (backwards ? -q[joints[0]] : q[joints[0]]));
 
-/* Adds the solution at every root, if it has one; those that may have more. */
+/* Adds the solution at every root that is one, if it has one; those that may have more. */
 const $one_each = (search, loop, roots) => {
-    const unclear = [];
-    for (const candidate of roots.candidates) {
+    const is_one = ({ is_twice, is_several }) => !is_twice && !is_several;
+    const unclear = roots.candidates.filter((candidate) => !is_one(candidate));
+    for (const candidate of roots.candidates.filter(is_one)) {
         const { q, inconsistency: off } = $recover(loop, candidate.angle);
         const before = search.again;
         const is_known = $is_known(search, q);
-        const is_one = !candidate.is_twice && !candidate.is_several;
         /* Next to another one a root is known to half of its digits. */
         const is_mixed = off >= $EXTRANEOUS && $has_neighbour(roots, candidate);
-        if ((is_known && (search.again === before || off > $PURE)) || !is_one || is_mixed) {
-            unclear.push({ ...candidate, zeros: null });
+        if ((is_known && (search.again === before || off > $PURE)) || is_mixed) {
+            unclear.push(candidate);
         } else if (!is_known && off < $EXTRANEOUS) {
             $insert_new(search, $polish(search.of, search.target, q, $NEWTON_STEPS));
             /* It may have led to the solution at another root. */
             const is_its_own = (kept, place) =>
                 ((search.again & ~before) >> place) & 1 && Math.abs($wrap(kept - candidate.angle)) < $CLUSTER;
             if (!$kept(search, loop).some(is_its_own)) {
-                unclear.push({ ...candidate, zeros: null });
+                unclear.push(candidate);
             }
         } else if (!is_known && $null_space_at(loop, candidate.angle, 2).lengths.every((it) => it < $NULL)) {
             /* Where more is taken to zero than what is of a solution, a vector need not be. */
-            unclear.push({ ...candidate, zeros: null });
+            unclear.push(candidate);
         }
     }
-    return unclear;
+    return unclear.map((candidate) => ({ ...candidate, zeros: null, is_met: false }));
 };
 
 /* Whether two of them are one. */
@@ -268,19 +272,38 @@ const $share_exactly = (search, loop, unclear) => {
     $RATIOS.forEach((ratio, i) => {
         const are_missing = ({ kept, lengths }) =>
             i === 0 || lengths.filter((it) => it < $NULL).length > sharing(kept);
-        spaces.filter(are_missing).flatMap(({ kept, space }) => $recover_sharing(loop, kept, space, ratio))
+        spaces.filter(are_missing)
+            .flatMap(({ kept, space }) => $recover_sharing(loop, kept, space, ratio).starts)
             .forEach((start) => $start_unknown(search, start, $MIXED));
     });
 };
 
-/* Counts the zeros near candidates; not where a root of all targets was taken from the polynomial. */
-const $count_zeros = ({ fold }, f, candidates) => {
+/* The candidates with the zeros near them; not where a root of all targets was taken from the polynomial.
+ * Where a few zeros have met one is left, at the angle where they have. */
+const $with_zeros = ({ fold }, f, candidates) => {
     candidates.forEach((candidate, i) => {
         const { angle } = candidate;
         const known = candidates.slice(0, i).find(({ zeros }) => $cover(zeros, angle));
         const zeros = known ? known.zeros : $zeros_near(f, angle);
         candidate.zeros = fold !== null && $are_near(zeros, fold) ? null : zeros;
     });
+    /* Next to a target with a family of solutions what is nearly taken to zero is more than theirs. */
+    if (!(f.noise < $NOISY)) {
+        return candidates;
+    }
+    const left = [];
+    for (const candidate of candidates) {
+        const { zeros, is_twice, is_several } = candidate;
+        const are_few = zeros !== null && zeros.count >= 2 && zeros.count <= $SHARING;
+        const angle = are_few && (is_twice || is_several) ? $meeting(f, zeros) : null;
+        const is_there = (it) => it.is_met && Math.abs($wrap(it.angle - angle)) < $SAME_PLACE;
+        if (angle === null) {
+            left.push(candidate);
+        } else if (!left.some(is_there)) {
+            left.push({ ...candidate, angle, is_met: true });
+        }
+    }
+    return left;
 };
 
 /* Whether near a candidate as many solutions are known as there are zeros: no two have one. */
@@ -308,10 +331,16 @@ const $unsettled = (search, loop, candidates) =>
 /* Adds the solutions of so many that share a value of the kept joint at the candidates that are wanted;
  * those that may have more. */
 const $share = (search, loop, unclear, is_wanted, sharing, off) => {
-    for (const { angle } of unclear.filter(is_wanted)) {
-        const { space } = $null_space_at(loop, angle, sharing);
-        const starts = $recover_sharing(loop, angle, space, $RATIOS[0]);
-        starts.forEach((start) => $start_unknown(search, start, off));
+    for (const candidate of unclear.filter(is_wanted)) {
+        const { angle, zeros, is_met } = candidate;
+        const { space, lengths } = $null_space_at(loop, angle, sharing);
+        const shared = $recover_sharing(loop, angle, space, $RATIOS[0]);
+        if (is_met && zeros.count === sharing) {
+            const count = sharing - $extraneous(shared, lengths, $OF_NONE);
+            candidate.zeros = { ...zeros, count };
+        }
+        shared.starts.filter((_, n) => !shared.told.are_complex[n])
+            .forEach((start) => $start_unknown(search, start, off));
     }
     return $unsettled(search, loop, unclear);
 };
@@ -392,7 +421,8 @@ const $ask_beside = (search, elimination) => {
  * family is a root: adds the members at some, which are alone there or two. */
 const $take_members = (search, loop) => {
     const before = search.singular.length;
-    const two_at = (kept) => $recover_sharing(loop, kept, $null_space_at(loop, kept, 2).space, $RATIOS[0]);
+    const two_at = (kept) =>
+        $recover_sharing(loop, kept, $null_space_at(loop, kept, 2).space, $RATIOS[0]).starts;
     for (const offset of [0.0, 0.5]) {
         const kept = Array.from({ length: 8 }, (_, k) => (k + offset) * (6.283185307179586 / 8));
         for (const starts_at of [(at) => [$recover(loop, at)], two_at]) {
@@ -422,7 +452,7 @@ const $ask = (search, elimination) => {
     let unclear = $one_each(search, loop, roots);
     const may_be_certain = !roots.is_incomplete && f.noise < $UNCERTAIN;
     if (may_be_certain) {
-        $count_zeros(elimination, f, unclear);
+        unclear = $with_zeros(elimination, f, unclear);
     }
     unclear = $several_each(search, loop, f.noise >= $NOISY, unclear);
     if (!may_be_certain || !$has_all(search, unclear)) {

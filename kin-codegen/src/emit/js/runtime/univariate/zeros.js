@@ -12,6 +12,10 @@ const $FOLLOWED = 2.0;
 const $TELLING = 2.5 * $UNSIGNED;
 /* So far from the roots that it stands for a candidate may be, radians. */
 const $STANDS_FOR = $CLUSTER + $NARROW;
+/* Where zeros have met: the derivative before the last one that is zero there, as a multiple of the next, so
+ * that their angles are 3e-5 apart at most, radians; and so near to it that is known. */
+const $MET = 1e-10;
+const $SETTLED_AT = 1e-9;
 /* Radii of circles, tangents of half an angle. */
 const $RADII = [1.5e-3, 3e-3, 6e-3, 1.2e-2, 2.4e-2, 4.8e-2];
 
@@ -88,3 +92,22 @@ const $are_near = (zeros, angle) =>
 /* Whether all that a candidate at an angle stands for are among them. */
 const $cover = (zeros, angle) =>
     zeros !== null && Math.abs($wrap(angle - zeros.angle)) + $STANDS_FOR < zeros.within;
+
+/* Where zeros have met, or all but met: f and its derivatives but for the last are nearly zero there, and of
+ * the last but one it is a zero that is found to all digits; null if there is no such angle. */
+const $meeting = (f, zeros) => {
+    let before = f;
+    for (let order = 2; order < zeros.count; ++order) {
+        before = $derivative(before);
+    }
+    let { angle } = zeros;
+    for (let step = 0; step < 6; ++step) {
+        const [height, slope, curvature] = $derivatives(before, angle);
+        const least = Math.abs(curvature);
+        if (Math.abs(height) <= $MET * least && Math.abs(slope) <= $SETTLED_AT * least) {
+            return $are_near(zeros, angle) ? angle : null;
+        }
+        angle -= slope / curvature;
+    }
+    return null;
+};
