@@ -71,7 +71,9 @@ fn tally(tally: &mut Tally, design: &Model, noise: f64, count: usize) {
         let ((first, solutions), (second, _)) = (time(), time());
         tally.micros.push(first.min(second).as_secs_f64() * 1e6);
         let held = model.locked(&form.given.locked, &given);
-        let conditioning = form.given.conditioning(&held.chain(), &solved, Target::Pose);
+        let conditioning = form
+            .given
+            .conditioning(&held.chain(), &solved, Target::Pose);
         let class = CLASSES.iter().position(|&bound| conditioning >= bound);
         let [lost, all] = &mut tally.lost[class.expect("a number")];
         *all += 1;

@@ -27,13 +27,15 @@ enum Kind {
     Near,
     /// All joints at quarter turns.
     Round,
+    /// Joints anywhere, but for the tool, which is turned to point straight down.
+    Down,
 }
 
 fn configuration(kind: Kind, k: usize, random: &mut Random) -> [f64; 6] {
     let quarter = |random: &mut Random| (4.0 * random.unit()).floor() * FRAC_PI_2;
     let mut q = std::array::from_fn(|_| PI * (2.0 * random.unit() - 1.0));
     match kind {
-        Kind::Random => {}
+        Kind::Random | Kind::Down => {}
         Kind::Near => {
             for _ in 0..1 + k % 2 {
                 let joint = (6.0 * random.unit()) as usize;
@@ -46,6 +48,17 @@ fn configuration(kind: Kind, k: usize, random: &mut Random) -> [f64; 6] {
     q
 }
 
+/// Where a configuration puts the tip, turned so that the last axis points down.
+fn down<K: Kinematics<6>>(robot: &K, q: &[f64; 6]) -> Pose {
+    let [x, y, z] = robot.spatial_jacobian(q).column(5).angular;
+    let turn = Pose::from_axis_angle([-y, x, 0.0], x.hypot(y).atan2(-z), [0.0; 3]);
+    let pose = robot.fk(q);
+    Pose {
+        rotation: (turn * pose).rotation,
+        ..pose
+    }
+}
+
 fn times<K: Kinematics<6>>(
     name: &str,
     robot: &K,
@@ -56,12 +69,21 @@ fn times<K: Kinematics<6>>(
         (Kind::Random, "random"),
         (Kind::Near, "near round"),
         (Kind::Round, "round"),
+        (Kind::Down, "tool straight down"),
     ] {
         let mut random = Random::default();
         let (mut micros, mut lost, mut found) = (Vec::new(), 0, 0);
         for k in 0..count {
-            let q = configuration(kind, k, &mut random);
-            let target = robot.fk(&q);
+            let mut q = configuration(kind, k, &mut random);
+            let mut target = robot.fk(&q);
+            if matches!(kind, Kind::Down) {
+                while {
+                    target = down(robot, &q);
+                    ik(&target).is_empty()
+                } {
+                    q = configuration(kind, k, &mut random);
+                }
+            }
             let time = || {
                 let start = Instant::now();
                 black_box(ik(black_box(&target)));
@@ -79,8 +101,9 @@ fn times<K: Kinematics<6>>(
         println!(
             "| {name} | {word} | {:.2} | {} | {:.1} | {:.1} | {:.1} | {:.1} |",
             found as f64 / count as f64,
-            // A round target may have a family of solutions, of which some are given.
-            if matches!(kind, Kind::Round) {
+            // A round target may have a family of solutions, of which some are given; of one that is turned
+            // no configuration is known.
+            if matches!(kind, Kind::Round | Kind::Down) {
                 "-".into()
             } else {
                 lost.to_string()
