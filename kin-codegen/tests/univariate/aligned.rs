@@ -42,6 +42,48 @@ fn arms() -> [Arm; 3] {
     [arm(xarm6), arm(&rounded), arm(crx10ial)]
 }
 
+/// At quarter turns, or next to them, of an arm with a wrist and of a cobot: families of solutions, and
+/// others next to each other, have one value of the joint that is kept.
+#[test]
+fn a_family_is_not_taken_for_complex_solutions() {
+    for text in [
+        include_str!("../../../robots/kr6_r900.yaml"),
+        include_str!("../../../robots/ur10e.yaml"),
+    ] {
+        let arm = arm(text);
+        let frames = &arm.frames;
+        let alone: Vec<Elimination> = arm.alone().map(|arm| arm.kept[0].elimination).collect();
+        let univariate = Univariate {
+            frames: *frames,
+            size: 2.0,
+            counts: Target::Pose,
+            eliminations: &[],
+        };
+        let mut random = Random(0xfa11);
+        let mut sure = 0;
+        for k in 0..1500 {
+            let off = 10f64.powf(random.between(-12.0, -1.0));
+            let mut quarter =
+                || random.below(4) as f64 * FRAC_PI_2 + off * random.between(-1.0, 1.0);
+            let q: [f64; 6] = std::array::from_fn(|_| quarter());
+            let target = frames.forward(&q);
+            let said = alone.iter().map(|it| univariate.outcome(it, &target));
+            let said: Vec<_> = said.collect();
+            let most = said.iter().map(|(_, found)| found.len()).max().unwrap();
+            for ((outcome, found), elimination) in said.iter().zip(&alone) {
+                sure += usize::from(outcome.certain);
+                assert!(
+                    !outcome.certain || found.len() == most,
+                    "{k}, {:?}: {} of {most}",
+                    elimination.joints,
+                    found.len()
+                );
+            }
+        }
+        assert!(sure > 1500, "{sure}");
+    }
+}
+
 /// What an elimination does not know it says: where it is sure, no other one finds more.
 #[test]
 fn no_elimination_finds_more_than_one_that_is_sure() {

@@ -37,6 +37,10 @@ const SETTLED: f64 = 1e-4;
 /// complex, and not one of two real ones that have nearly met.
 const COMPLEX: f64 = 0.01;
 
+/// Where a family of solutions has one value of the kept joint, the vectors of all its members are in the
+/// space, and no matrix multiplies all of them by their ratios: a pivot is zero. The same next to it.
+const OF_FAMILY: f64 = 1e-5;
+
 /// Two functions of the half tangents whose ratio tells solutions apart, above and below: the
 /// coefficients of 1, each of the two, and their product.
 #[derive(Clone, Copy)]
@@ -81,7 +85,7 @@ pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
     powers: [usize; 2],
     ratio: Ratio,
 ) -> ([Vectors<L>; N], Eigenvalues<N>) {
-    let by_ratio = multiplication(space, column, powers, ratio);
+    let (by_ratio, least) = multiplication(space, column, powers, ratio);
     let (values, error) = match N {
         2 => (values_of_pair(&by_ratio), L::ZERO),
         _ => values_of(&by_ratio),
@@ -100,15 +104,16 @@ pub(super) fn monomial_vectors<L: Lanes, const N: usize>(
             }
         }
     }
-    (out, told(&by_ratio, &values, error))
+    (out, told(&by_ratio, &values, error, least))
 }
 
-/// What is told of eigenvalues that are known but for an error.
+/// What is told of eigenvalues that are known but for an error, if the least pivot says that they are told.
 #[inline(always)]
 fn told<L: Lanes, const N: usize>(
     of: &Square<L, N>,
     values: &[[L; 2]; N],
     error: L,
+    least: L,
 ) -> Eigenvalues<N> {
     let (mut largest, mut apart) = (L::ZERO, L::splat(f64::MAX));
     for x in of.as_flattened() {
@@ -122,6 +127,7 @@ fn told<L: Lanes, const N: usize>(
     }
     let settled = apart.scaled(SETTLED);
     let share = error.where_less(settled, largest.inverse(), L::ZERO);
+    let share = L::splat(OF_FAMILY).where_less(least, share, L::ZERO);
     let mut out = Eigenvalues {
         imaginary: [[0.0; LANES]; N],
         apart: (apart * share).numbers(),
@@ -133,14 +139,14 @@ fn told<L: Lanes, const N: usize>(
 }
 
 /// What multiplication by the ratio does to the space's vectors, in the sense of least
-/// squares.
+/// squares, and the least pivot.
 #[inline(always)]
 fn multiplication<L: Lanes, const N: usize>(
     space: &[Vectors<L>; N],
     column: &impl Fn(usize, usize) -> usize,
     powers: [usize; 2],
     Ratio(numerator, denominator): Ratio,
-) -> Square<L, N> {
+) -> (Square<L, N>, L) {
     let mut gram = [[L::ZERO; N]; N];
     let mut image = gram;
     for i in 0..powers[0] {
@@ -170,10 +176,12 @@ fn multiplication<L: Lanes, const N: usize>(
     solved(gram, image)
 }
 
-/// G⁻¹ H for a positive definite G.
+/// G⁻¹ H for a positive definite G, and its least pivot.
 #[inline(always)]
-fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) -> Square<L, N> {
+fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) -> (Square<L, N>, L) {
+    let mut least = L::splat(f64::MAX);
     for k in 0..N {
+        least = least.min(g[k][k]);
         let pivot = g[k][k].max(L::splat(1e-30)).inverse();
         for i in 0..N {
             if i == k {
@@ -190,7 +198,7 @@ fn solved<L: Lanes, const N: usize>(mut g: Square<L, N>, mut h: Square<L, N>) ->
             h[k][j] *= pivot;
         }
     }
-    h
+    (h, least)
 }
 
 /// Of two by two, from the quadratic.

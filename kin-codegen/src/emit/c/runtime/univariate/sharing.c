@@ -8,6 +8,9 @@ typedef kin_pack kin_square[KIN_SHARING][KIN_SHARING];
  * Newton's method needs it; and by what share of how far two are apart the last one moves one at most. */
 #define KIN_ROUNDS 12
 #define KIN_SETTLED 1e-4
+/* Where a family of solutions has one value of the kept joint, the vectors of all its members are in the
+ * space, and no matrix multiplies all of them by their ratios: a pivot is zero. The same next to it. */
+#define KIN_OF_FAMILY 1e-5
 
 /* The eigenvalues that belong to vectors of a space: how far each is from the real axis, and the least
  * distance of two, zero where they are not known; in units of the largest entry of the matrix. */
@@ -27,12 +30,14 @@ KIN_INLINE int kin_column(const kin_elimination *elimination, int i, int j)
     return elimination->columns[(i + 4 * j) & 15];
 }
 
-/* h becomes g^-1 h, for a positive definite g. */
-static void kin_solve_square(kin_square g, kin_square h, int n)
+/* h becomes g^-1 h, for a positive definite g, whose least pivot is told. */
+static void kin_solve_square(kin_square g, kin_square h, int n, double *least)
 {
+    kin_fill(least, HUGE_VAL);
     for (int c = 0; c < n; ++c) {
         kin_pack pivot;
         for (int k = 0; k < KIN_LANES; ++k) {
+            least[k] = g[c][c][k] < least[k] ? g[c][c][k] : least[k];
             pivot[k] = 1.0 / kin_max(g[c][c][k], 1e-30);
         }
         for (int i = 0; i < n; ++i) {
@@ -59,9 +64,10 @@ static const double kin_ratios[KIN_RATIOS][2][4] = {
     {{-0.74, 0.35, 0.61, 0.27}, {0.42, 0.66, 0.53, -0.81}},
     {{0.58, -0.47, 0.22, 0.89}, {-0.33, 0.76, 0.85, 0.19}}};
 
-/* What multiplication by a ratio does to a space's vectors, in the sense of least squares. */
-static void kin_multiplication(
-    const kin_elimination *elimination, kin_pack space[][16], int n, int ratio, kin_square image)
+/* What multiplication by a ratio does to a space's vectors, in the sense of least squares, and the least
+ * pivot. */
+static void kin_multiplication(const kin_elimination *elimination, kin_pack space[][16], int n,
+    int ratio, kin_square image, double *least)
 {
     const double *const of_above = kin_ratios[ratio][0], *const of_below = kin_ratios[ratio][1];
     kin_square gram;
@@ -91,7 +97,7 @@ static void kin_multiplication(
             }
         }
     }
-    kin_solve_square(gram, image, n);
+    kin_solve_square(gram, image, n, least);
 }
 
 /* The eigenvectors of two by two, from the quadratic. */
@@ -302,9 +308,10 @@ static void kin_values_of(kin_square given, kin_pack values[][2], double *moved)
     }
 }
 
-/* What is told of so many eigenvalues that are known but for an error. */
-static void kin_tell(
-    kin_square of, int n, kin_pack values[][2], const double *error, kin_eigenvalues *out)
+/* What is told of so many eigenvalues that are known but for an error, if the least pivot says that they
+ * are told. */
+static void kin_tell(kin_square of, int n, kin_pack values[][2], const double *error,
+    const double *least, kin_eigenvalues *out)
 {
     for (int k = 0; k < KIN_LANES; ++k) {
         double largest = 0.0, apart = HUGE_VAL, share;
@@ -318,7 +325,7 @@ static void kin_tell(
                 apart = i == j || apart < distance ? apart : distance;
             }
         }
-        share = error[k] < KIN_SETTLED * apart ? 1.0 / largest : 0.0;
+        share = error[k] < KIN_SETTLED * apart && !(least[k] < KIN_OF_FAMILY) ? 1.0 / largest : 0.0;
         for (int i = 0; i < n; ++i) {
             out->imaginary[i][k] = fabs(values[i][1][k]) * share;
         }
@@ -332,8 +339,8 @@ static void kin_monomial_vectors(const kin_elimination *elimination, kin_pack sp
     int ratio, kin_pack out[][16], kin_eigenvalues *told)
 {
     kin_square image, weights;
-    kin_pack values[KIN_SHARING][2], error = {0.0};
-    kin_multiplication(elimination, space, n, ratio, image);
+    kin_pack values[KIN_SHARING][2], error = {0.0}, least;
+    kin_multiplication(elimination, space, n, ratio, image, least);
     if (n == 2) {
         kin_values_of_pair(image, values);
         kin_eigenvectors_of_pair(image, weights);
@@ -343,7 +350,7 @@ static void kin_monomial_vectors(const kin_elimination *elimination, kin_pack sp
             kin_eigenvector(image, values[i][0], weights[i]);
         }
     }
-    kin_tell(image, n, values, error, told);
+    kin_tell(image, n, values, error, least, told);
     for (int a = 0; a < n; ++a) {
         for (int i = 0; i < 16; ++i) {
             kin_fill(out[a][i], 0.0);

@@ -6,15 +6,20 @@ const $SHARING = 4;
  * Newton's method needs it; and by what share of how far two are apart the last one moves one at most. */
 const $ROUNDS = 12;
 const $SETTLED = 1e-4;
+/* Where a family of solutions has one value of the kept joint, the vectors of all its members are in the
+ * space, and no matrix multiplies all of them by their ratios: a pivot is zero. The same next to it. */
+const $OF_FAMILY = 1e-5;
 
 const $zeros = (n) => new Array(n).fill(0.0);
 
 const $square = (n) => $zeros(n).map(() => $zeros(n));
 
-/* g^-1 h, for a positive definite g; both are used up. */
+/* g^-1 h, for a positive definite g, and its least pivot; both are used up. */
 const $solve_square = (g, h) => {
     const n = g.length;
+    let least = Infinity;
     for (let c = 0; c < n; ++c) {
+        least = g[c][c] < least ? g[c][c] : least;
         const pivot = 1.0 / $max(g[c][c], 1e-30);
         for (let i = 0; i < n; ++i) {
             const share = g[i][c] * pivot;
@@ -28,7 +33,7 @@ const $solve_square = (g, h) => {
             h[c][j] *= pivot;
         }
     }
-    return h;
+    return { image: h, least };
 };
 
 /* Two functions of the half tangents whose ratio tells solutions apart, above and below: the
@@ -40,7 +45,8 @@ const $RATIOS = [
     [[0.58, -0.47, 0.22, 0.89], [-0.33, 0.76, 0.85, 0.19]],
 ];
 
-/* What multiplication by a ratio does to a space's vectors, in the sense of least squares. */
+/* What multiplication by a ratio does to a space's vectors, in the sense of least squares, and the least
+ * pivot. */
 const $multiplication = (elimination, space, [of_above, of_below]) => {
     const n = space.length;
     const gram = $square(n);
@@ -181,13 +187,14 @@ const $values_of = (given) => {
 };
 
 /* How near two eigenvalues come to each other, in units of the largest entry of the matrix, and which are
- * complex, and not one of two real ones that have nearly met; of none it is told where they are not known. */
-const $told = (of, { values, error }) => {
+ * complex, and not one of two real ones that have nearly met; of none it is told where they are not known,
+ * or the least pivot says that they are not told. */
+const $told = (of, { values, error }, least) => {
     const largest = Math.max(...of.flat().map(Math.abs));
     const distances = values.flatMap(([x, y], i) =>
         values.slice(0, i).map(([u, v]) => Math.sqrt((x - u) * (x - u) + (y - v) * (y - v))));
     const apart = Math.min(...distances);
-    const are_known = error < $SETTLED * apart;
+    const are_known = error < $SETTLED * apart && !(least < $OF_FAMILY);
     return {
         apart: are_known ? apart / largest : 0.0,
         are_complex: values.map(([, y]) => are_known && Math.abs(y) > 0.01 * largest),
@@ -197,7 +204,7 @@ const $told = (of, { values, error }) => {
 /* The vectors of monomials in a space of two or four, and what is told of what they are multiplied by; where
  * two are complex, one of a pair their real part, of more something else. */
 const $monomial_vectors = (elimination, space, ratio) => {
-    const image = $multiplication(elimination, space, ratio);
+    const { image, least } = $multiplication(elimination, space, ratio);
     const is_pair = space.length === 2;
     const of = is_pair ? $values_of_pair(image) : $values_of(image);
     const all = is_pair
@@ -209,7 +216,7 @@ const $monomial_vectors = (elimination, space, ratio) => {
         }
         return sum;
     }));
-    return { vectors, told: $told(image, of) };
+    return { vectors, told: $told(image, of, least) };
 };
 
 /* The last joint, or the last but one, from a vector of monomials: tan of its half is the share of two
