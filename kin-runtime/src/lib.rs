@@ -109,7 +109,9 @@ pub mod __private {
         BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
     };
     pub use crate::generated::free_joint::{self, FREE_BELOW, FreeJoint};
-    pub use crate::generated::inverse::{Inverse, Lanes, solve, solve_nearest, solve_seeded};
+    pub use crate::generated::inverse::{
+        Inverse, Lanes, solve, solve_given, solve_nearest, solve_seeded,
+    };
     pub use crate::generated::lanes;
     pub use crate::generated::locked::Locked;
     pub use crate::generated::refinement::{self, AtSwivel};

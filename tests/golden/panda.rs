@@ -21,9 +21,9 @@
 mod __Panda {
     ::kinematics::__private::generated_by!(0.1);
     use ::kinematics::__private::{
-        Acceptance, Arithmetic, BodyJacobian, Branches, Forward, FreeJoint, Fused,
+        Acceptance, Arithmetic, BodyJacobian, Forward, FreeJoint, Fused,
         GeometricJacobian, Inverse, Lanes, Locked, SinCos, aligned, evaluate, lanes,
-        math, widen,
+        math, solve_given, widen,
     };
     use ::kinematics::{
         Frame, Jacobian, JointLimit, Parameter, Pose, Posture, RedundantKinematics,
@@ -243,16 +243,23 @@ mod __Panda {
             seed: &[f64; 7],
         ) -> Solutions<7> {
             let locked = Locked::new([6], [parameter], 0);
-            let branches = self.branches(pose, &locked.others(seed), &[parameter]);
-            locked
-                .corrected(
-                    &branches,
-                    |q| self.fk_jacobian(q),
-                    pose,
-                    Target::Pose,
-                    seed,
-                    &Self::ACCEPT,
-                )
+            solve_given(
+                self,
+                pose,
+                &locked.others(seed),
+                &[parameter],
+                |branches| {
+                    locked
+                        .corrected(
+                            &branches,
+                            |q| self.fk_jacobian(q),
+                            pose,
+                            Target::Pose,
+                            seed,
+                            &Self::ACCEPT,
+                        )
+                },
+            )
         }
 
         /// What [`Self::ik_at`] has to be given to have `q` (radians, metres) among
@@ -271,17 +278,6 @@ mod __Panda {
             near_singular: 0.0,
             prismatic: 0,
         };
-
-        /// All branches of the plan as lanes, those that do not exist marked.
-        #[inline]
-        fn branches(
-            &self,
-            pose: &Pose,
-            seed: &[f64; 6],
-            locked: &[f64; 1],
-        ) -> Branches<6, 8> {
-            Branches::of(self, pose, seed, locked)
-        }
     }
 
     impl Forward<Pose, 7, 7> for Panda {

@@ -940,14 +940,23 @@ static void slider_crank_chain0_compute_lanes(
     slider_crank_chain0_lanes_of(target, seed, given, free_below, lanes);
 }
 
-static void slider_crank_chain0_compute_branches(
+/* The seed with its joints turned; one without a seed takes no part in a choice. */
+static void slider_crank_chain0_turn_seed(
+    const double from[SLIDER_CRANK_CHAIN0_SOLVED], double turn, double seed[SLIDER_CRANK_CHAIN0_SOLVED])
+{
+    for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
+        seed[i] = (fabs(from[i]) < HUGE_VAL ? from[i] : 0.0) + turn;
+    }
+}
+
+/* The lanes, and whether joints that are free have moved in some of them. */
+static int slider_crank_chain0_compute_branches(
     const double target[12], const double from[SLIDER_CRANK_CHAIN0_SOLVED], const double *given, slider_crank_chain0_lanes *lanes)
 {
     double seed[SLIDER_CRANK_CHAIN0_SOLVED];
-    for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
-        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
-    }
-    slider_crank_chain0_compute_lanes(target, seed, given, 1e-24, lanes);
+    slider_crank_chain0_turn_seed(from, 0.0, seed);
+    slider_crank_chain0_compute_lanes(target, seed, given, 1e-22, lanes);
+    return 0;
 }
 
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
@@ -1122,32 +1131,78 @@ static int slider_crank_chain0_add_corrected(
 }
 
 /* The branches that reach their target, the others corrected. */
-static int slider_crank_chain0_solve(
-    const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given,
-    slider_crank_chain0_solution *solutions)
+static int slider_crank_chain0_reaching(
+    const slider_crank_chain0_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED],
+    const double *given, slider_crank_chain0_solution *solutions)
 {
-    slider_crank_chain0_lanes lanes;
     int count = 0;
     int nearly = 0;
-    slider_crank_chain0_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_TAKEN) {
+        if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_CHAIN0_TAKEN) {
             double q[SLIDER_CRANK_CHAIN0_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_CHAIN0_SOLVED; ++i) {
-                q[i] = lanes.q[i][k];
+                q[i] = lanes->q[i][k];
             }
             slider_crank_chain0_whole(q, given, solutions[count].q);
-            solutions[count].residual = lanes.residual[k];
+            solutions[count].residual = lanes->residual[k];
             solutions[count].branch = k;
-            solutions[count].singular = lanes.singular[k] > 0.0;
+            solutions[count].singular = lanes->singular[k] > 0.0;
             nearly |= solutions[count].singular;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_NEARLY) {
+        } else if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_CHAIN0_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_chain0_add_corrected(&lanes, target, seed, given, solutions, count);
+        count = slider_crank_chain0_add_corrected(lanes, target, seed, given, solutions, count);
+    }
+    return count;
+}
+
+/* Adds what branches lead to that have led to none of the solutions yet. */
+static int slider_crank_chain0_add_led_to(
+    slider_crank_chain0_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given,
+    slider_crank_chain0_solution *solutions, int count)
+{
+    slider_crank_chain0_solution more[SLIDER_CRANK_CHAIN0_MAX_SOLUTIONS];
+    int found;
+    for (int k = 0; k < count; ++k) {
+        lanes->invalid[solutions[k].branch] = 1.0;
+    }
+    found = slider_crank_chain0_reaching(lanes, target, seed, given, more);
+    for (int k = 0; k < found; ++k) {
+        count = slider_crank_chain0_insert(&more[k], solutions, count);
+    }
+    return count;
+}
+
+/* What the branches lead to. The angle of a vector that is nearly nothing may be given up for one that leaves
+ * later steps a root, or be the one that the target asks for. And where a free joint is at right angles to what
+ * the target is off, no step of Newton's method tells that it has to turn: neither one of the turns, nor two or
+ * three of them together, is nearly a multiple of a quarter turn. */
+static int slider_crank_chain0_solve(
+    const double target[12], const double seed[SLIDER_CRANK_CHAIN0_SOLVED], const double *given,
+    slider_crank_chain0_solution *solutions)
+{
+    static const double elsewhere[2] = {0.65, 1.9};
+    slider_crank_chain0_lanes lanes;
+    double from[SLIDER_CRANK_CHAIN0_SOLVED];
+    const int moves = slider_crank_chain0_compute_branches(target, seed, given, &lanes);
+    int begin = 0, count = slider_crank_chain0_reaching(&lanes, target, seed, given, solutions);
+    if (moves) {
+        slider_crank_chain0_turn_seed(seed, 0.0, from);
+        slider_crank_chain0_compute_lanes(target, from, given, 1e-22, &lanes);
+    }
+    for (int k = 0; k < SLIDER_CRANK_CHAIN0_BRANCHES; ++k) {
+        begin += lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN0_NEARLY;
+    }
+    if (moves) {
+        count = slider_crank_chain0_add_led_to(&lanes, target, seed, given, solutions, count);
+    }
+    for (int i = 0; i < 2 && count < begin; ++i) {
+        slider_crank_chain0_turn_seed(seed, elsewhere[i], from);
+        slider_crank_chain0_compute_lanes(target, from, given, 1e-16, &lanes);
+        count = slider_crank_chain0_add_led_to(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_chain0_own_metric, target);
 }
@@ -1446,14 +1501,23 @@ static void slider_crank_chain1_compute_lanes(
     slider_crank_chain1_lanes_of(target, seed, given, free_below, lanes);
 }
 
-static void slider_crank_chain1_compute_branches(
+/* The seed with its joints turned; one without a seed takes no part in a choice. */
+static void slider_crank_chain1_turn_seed(
+    const double from[SLIDER_CRANK_CHAIN1_SOLVED], double turn, double seed[SLIDER_CRANK_CHAIN1_SOLVED])
+{
+    for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
+        seed[i] = (fabs(from[i]) < HUGE_VAL ? from[i] : 0.0) + turn;
+    }
+}
+
+/* The lanes, and whether joints that are free have moved in some of them. */
+static int slider_crank_chain1_compute_branches(
     const double target[12], const double from[SLIDER_CRANK_CHAIN1_SOLVED], const double *given, slider_crank_chain1_lanes *lanes)
 {
     double seed[SLIDER_CRANK_CHAIN1_SOLVED];
-    for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
-        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
-    }
-    slider_crank_chain1_compute_lanes(target, seed, given, 1e-24, lanes);
+    slider_crank_chain1_turn_seed(from, 0.0, seed);
+    slider_crank_chain1_compute_lanes(target, seed, given, 1e-22, lanes);
+    return 0;
 }
 
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
@@ -1628,32 +1692,78 @@ static int slider_crank_chain1_add_corrected(
 }
 
 /* The branches that reach their target, the others corrected. */
-static int slider_crank_chain1_solve(
-    const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given,
-    slider_crank_chain1_solution *solutions)
+static int slider_crank_chain1_reaching(
+    const slider_crank_chain1_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED],
+    const double *given, slider_crank_chain1_solution *solutions)
 {
-    slider_crank_chain1_lanes lanes;
     int count = 0;
     int nearly = 0;
-    slider_crank_chain1_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_TAKEN) {
+        if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_CHAIN1_TAKEN) {
             double q[SLIDER_CRANK_CHAIN1_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_CHAIN1_SOLVED; ++i) {
-                q[i] = lanes.q[i][k];
+                q[i] = lanes->q[i][k];
             }
             slider_crank_chain1_whole(q, given, solutions[count].q);
-            solutions[count].residual = lanes.residual[k];
+            solutions[count].residual = lanes->residual[k];
             solutions[count].branch = k;
-            solutions[count].singular = lanes.singular[k] > 0.0;
+            solutions[count].singular = lanes->singular[k] > 0.0;
             nearly |= solutions[count].singular;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_NEARLY) {
+        } else if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_CHAIN1_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_chain1_add_corrected(&lanes, target, seed, given, solutions, count);
+        count = slider_crank_chain1_add_corrected(lanes, target, seed, given, solutions, count);
+    }
+    return count;
+}
+
+/* Adds what branches lead to that have led to none of the solutions yet. */
+static int slider_crank_chain1_add_led_to(
+    slider_crank_chain1_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given,
+    slider_crank_chain1_solution *solutions, int count)
+{
+    slider_crank_chain1_solution more[SLIDER_CRANK_CHAIN1_MAX_SOLUTIONS];
+    int found;
+    for (int k = 0; k < count; ++k) {
+        lanes->invalid[solutions[k].branch] = 1.0;
+    }
+    found = slider_crank_chain1_reaching(lanes, target, seed, given, more);
+    for (int k = 0; k < found; ++k) {
+        count = slider_crank_chain1_insert(&more[k], solutions, count);
+    }
+    return count;
+}
+
+/* What the branches lead to. The angle of a vector that is nearly nothing may be given up for one that leaves
+ * later steps a root, or be the one that the target asks for. And where a free joint is at right angles to what
+ * the target is off, no step of Newton's method tells that it has to turn: neither one of the turns, nor two or
+ * three of them together, is nearly a multiple of a quarter turn. */
+static int slider_crank_chain1_solve(
+    const double target[12], const double seed[SLIDER_CRANK_CHAIN1_SOLVED], const double *given,
+    slider_crank_chain1_solution *solutions)
+{
+    static const double elsewhere[2] = {0.65, 1.9};
+    slider_crank_chain1_lanes lanes;
+    double from[SLIDER_CRANK_CHAIN1_SOLVED];
+    const int moves = slider_crank_chain1_compute_branches(target, seed, given, &lanes);
+    int begin = 0, count = slider_crank_chain1_reaching(&lanes, target, seed, given, solutions);
+    if (moves) {
+        slider_crank_chain1_turn_seed(seed, 0.0, from);
+        slider_crank_chain1_compute_lanes(target, from, given, 1e-22, &lanes);
+    }
+    for (int k = 0; k < SLIDER_CRANK_CHAIN1_BRANCHES; ++k) {
+        begin += lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_CHAIN1_NEARLY;
+    }
+    if (moves) {
+        count = slider_crank_chain1_add_led_to(&lanes, target, seed, given, solutions, count);
+    }
+    for (int i = 0; i < 2 && count < begin; ++i) {
+        slider_crank_chain1_turn_seed(seed, elsewhere[i], from);
+        slider_crank_chain1_compute_lanes(target, from, given, 1e-16, &lanes);
+        count = slider_crank_chain1_add_led_to(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_chain1_own_metric, target);
 }
@@ -1977,14 +2087,23 @@ static void slider_crank_passive_compute_lanes(
     slider_crank_passive_lanes_of(target, seed, given, free_below, lanes);
 }
 
-static void slider_crank_passive_compute_branches(
+/* The seed with its joints turned; one without a seed takes no part in a choice. */
+static void slider_crank_passive_turn_seed(
+    const double from[SLIDER_CRANK_PASSIVE_SOLVED], double turn, double seed[SLIDER_CRANK_PASSIVE_SOLVED])
+{
+    for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
+        seed[i] = (fabs(from[i]) < HUGE_VAL ? from[i] : 0.0) + turn;
+    }
+}
+
+/* The lanes, and whether joints that are free have moved in some of them. */
+static int slider_crank_passive_compute_branches(
     const double target[12], const double from[SLIDER_CRANK_PASSIVE_SOLVED], const double *given, slider_crank_passive_lanes *lanes)
 {
     double seed[SLIDER_CRANK_PASSIVE_SOLVED];
-    for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
-        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
-    }
-    slider_crank_passive_compute_lanes(target, seed, given, 1e-24, lanes);
+    slider_crank_passive_turn_seed(from, 0.0, seed);
+    slider_crank_passive_compute_lanes(target, seed, given, 1e-22, lanes);
+    return 0;
 }
 
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
@@ -2159,32 +2278,78 @@ static int slider_crank_passive_add_corrected(
 }
 
 /* The branches that reach their target, the others corrected. */
-static int slider_crank_passive_solve(
-    const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given,
-    slider_crank_passive_solution *solutions)
+static int slider_crank_passive_reaching(
+    const slider_crank_passive_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED],
+    const double *given, slider_crank_passive_solution *solutions)
 {
-    slider_crank_passive_lanes lanes;
     int count = 0;
     int nearly = 0;
-    slider_crank_passive_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_TAKEN) {
+        if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_PASSIVE_TAKEN) {
             double q[SLIDER_CRANK_PASSIVE_SOLVED];
             for (int i = 0; i < SLIDER_CRANK_PASSIVE_SOLVED; ++i) {
-                q[i] = lanes.q[i][k];
+                q[i] = lanes->q[i][k];
             }
             slider_crank_passive_whole(q, given, solutions[count].q);
-            solutions[count].residual = lanes.residual[k];
+            solutions[count].residual = lanes->residual[k];
             solutions[count].branch = k;
-            solutions[count].singular = lanes.singular[k] > 0.0;
+            solutions[count].singular = lanes->singular[k] > 0.0;
             nearly |= solutions[count].singular;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_NEARLY) {
+        } else if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= SLIDER_CRANK_PASSIVE_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = slider_crank_passive_add_corrected(&lanes, target, seed, given, solutions, count);
+        count = slider_crank_passive_add_corrected(lanes, target, seed, given, solutions, count);
+    }
+    return count;
+}
+
+/* Adds what branches lead to that have led to none of the solutions yet. */
+static int slider_crank_passive_add_led_to(
+    slider_crank_passive_lanes *lanes, const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given,
+    slider_crank_passive_solution *solutions, int count)
+{
+    slider_crank_passive_solution more[SLIDER_CRANK_PASSIVE_MAX_SOLUTIONS];
+    int found;
+    for (int k = 0; k < count; ++k) {
+        lanes->invalid[solutions[k].branch] = 1.0;
+    }
+    found = slider_crank_passive_reaching(lanes, target, seed, given, more);
+    for (int k = 0; k < found; ++k) {
+        count = slider_crank_passive_insert(&more[k], solutions, count);
+    }
+    return count;
+}
+
+/* What the branches lead to. The angle of a vector that is nearly nothing may be given up for one that leaves
+ * later steps a root, or be the one that the target asks for. And where a free joint is at right angles to what
+ * the target is off, no step of Newton's method tells that it has to turn: neither one of the turns, nor two or
+ * three of them together, is nearly a multiple of a quarter turn. */
+static int slider_crank_passive_solve(
+    const double target[12], const double seed[SLIDER_CRANK_PASSIVE_SOLVED], const double *given,
+    slider_crank_passive_solution *solutions)
+{
+    static const double elsewhere[2] = {0.65, 1.9};
+    slider_crank_passive_lanes lanes;
+    double from[SLIDER_CRANK_PASSIVE_SOLVED];
+    const int moves = slider_crank_passive_compute_branches(target, seed, given, &lanes);
+    int begin = 0, count = slider_crank_passive_reaching(&lanes, target, seed, given, solutions);
+    if (moves) {
+        slider_crank_passive_turn_seed(seed, 0.0, from);
+        slider_crank_passive_compute_lanes(target, from, given, 1e-22, &lanes);
+    }
+    for (int k = 0; k < SLIDER_CRANK_PASSIVE_BRANCHES; ++k) {
+        begin += lanes.invalid[k] <= 0.0 && lanes.residual[k] <= SLIDER_CRANK_PASSIVE_NEARLY;
+    }
+    if (moves) {
+        count = slider_crank_passive_add_led_to(&lanes, target, seed, given, solutions, count);
+    }
+    for (int i = 0; i < 2 && count < begin; ++i) {
+        slider_crank_passive_turn_seed(seed, elsewhere[i], from);
+        slider_crank_passive_compute_lanes(target, from, given, 1e-16, &lanes);
+        count = slider_crank_passive_add_led_to(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : slider_crank_why_none(&slider_crank_passive_own_metric, target);
 }

@@ -6,7 +6,7 @@
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
  * one branch: 162 multiplications, 112 additions, 5 divisions, 6 roots, 3 sines with
- * cosines, 6 arctangents, 36 selections.
+ * cosines, 6 arctangents, 37 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c -o .
  */
 
@@ -1166,162 +1166,164 @@ UR5E_INLINE void ur5e_lanes_of(
     /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
     const double t24 = ur5e_select(t15, 1e-13, 1e-13, free_below + 1.262177448353619e-29 / t15);
     const double t25 = r33 * r33;
+    /* 4. q3 by SP3, given q6 (what all branches share) */
+    const double t26 = ur5e_max(t24, 1e-16);
     /* Residual: forward kinematics against the target (what all branches share) */
-    const double t26 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
-    const double t27 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
-    const double t28 = r31 * r32 + (r11 * r12 + r21 * r22);
-    const double t29 = r13 - (r21 * r32 - r22 * r31);
-    const double t30 = r23 - (r12 * r31 - r11 * r32);
-    const double t31 = r33 - (r11 * r22 - r12 * r21);
-    const double t32 = 0.25 * (t26 * t26 + t27 * t27) + t28 * t28 + t29 * t29 + t30 * t30;
-    const double t33 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t32 + t31 * t31);
+    const double t27 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+    const double t28 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
+    const double t29 = r31 * r32 + (r11 * r12 + r21 * r22);
+    const double t30 = r13 - (r21 * r32 - r22 * r31);
+    const double t31 = r23 - (r12 * r31 - r11 * r32);
+    const double t32 = r33 - (r11 * r22 - r12 * r21);
+    const double t33 = 0.25 * (t27 * t27 + t28 * t28) + t29 * t29 + t30 * t30 + t31 * t31;
+    const double t34 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t33 + t32 * t32);
     /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
     static const double e1_of_4[4] = {1.0, -1.0, 1.0, -1.0};
     static const double e2_of_4[4] = {1.0, 1.0, -1.0, -1.0};
     double s1_[8];
     double c1_[8];
-    double t41_[8];
+    double t42_[8];
     double s234_[8];
     double c234_[8];
-    double t58_[8];
-    double t61_[8];
+    double t59_[8];
     double t62_[8];
+    double t63_[8];
     double level_[8];
     double no_root_[8];
-    double t66_[8];
     double t67_[8];
     double t68_[8];
     double t69_[8];
     double t70_[8];
     double t71_[8];
-    double singular_[8];
     double t72_[8];
-    double t84_[8];
+    double singular_[8];
+    double t73_[8];
     double t85_[8];
-    double t87_[8];
+    double t86_[8];
     double t88_[8];
-    double t99_[8];
-    double q1_[8];
+    double t89_[8];
     double t100_[8];
+    double q1_[8];
+    double t101_[8];
     double q5_[8];
     double q6_[8];
     for (int k = 0; k < 4; ++k) {
         const double e1 = e1_of_4[k];
         const double e2 = e2_of_4[k];
         /* 1. q1 by SP4 */
-        const double t34 = -e1;
-        const double t35 = e1 * t17;
-        const double s1 = ur5e_select(t13, 1.7221312899999994e-22, t2, (t21 + t12 * t35) * t23);
-        const double c1 = ur5e_select(t13, 1.7221312899999994e-22, t5, (t20 - t11 * t35) * t23);
+        const double t35 = -e1;
+        const double t36 = e1 * t17;
+        const double s1 = ur5e_select(t13, 1.7221312899999994e-22, t2, (t21 + t12 * t36) * t23);
+        const double c1 = ur5e_select(t13, 1.7221312899999994e-22, t5, (t20 - t11 * t36) * t23);
         /* 2. q2+q3+q4 and q5 by SP2, given q1 */
-        const double t36 = r13 * s1;
-        const double t37 = r23 * c1;
-        const double t38 = r13 * c1 + r23 * s1;
-        const double t39 = t37 - t36;
-        const double c5 = t36 - t37;
-        const double t40 = t25 + t38 * t38;
-        const double t41 = ur5e_max(ur5e_max(ur5e_select(t14, t16, t34, 0.0), ur5e_select(t13, 1.7221312899999994e-22, t34, 0.0)), ur5e_select(t40, t24, -e2, 0.0));
-        const double s5 = e2 * sqrt(ur5e_select(t40, t24, 0.0, t40));
-        const double t42 = 1.0 / t40;
-        const double s234 = ur5e_select(t40, t24, t4, -(r33 * s5 * t42));
-        const double c234 = ur5e_select(t40, t24, t7, -(t38 * s5 * t42));
+        const double t37 = r13 * s1;
+        const double t38 = r23 * c1;
+        const double t39 = r13 * c1 + r23 * s1;
+        const double t40 = t38 - t37;
+        const double c5 = t37 - t38;
+        const double t41 = t25 + t39 * t39;
+        const double t42 = ur5e_max(ur5e_max(ur5e_select(t14, t16, t35, 0.0), ur5e_select(t13, 1.7221312899999994e-22, t35, 0.0)), ur5e_select(t41, t24, -e2, 0.0));
+        const double s5 = e2 * sqrt(ur5e_select(t41, t24, 0.0, t41));
+        const double t43 = 1.0 / t41;
+        const double s234 = ur5e_select(t41, t24, t4, -(r33 * s5 * t43));
+        const double c234 = ur5e_select(t41, t24, t7, -(t39 * s5 * t43));
         /* 3. q6 by SP1, given q1 and q2+q3+q4 */
-        const double t43 = c1 * s234;
-        const double t44 = s1 * s234;
-        const double t45 = r31 * c234;
-        const double t46 = r11 * t43 + r21 * t44;
-        const double c6 = r32 * c234 - (r12 * t43 + r22 * t44);
-        const double s6 = t45 - t46;
+        const double t44 = c1 * s234;
+        const double t45 = s1 * s234;
+        const double t46 = r31 * c234;
+        const double t47 = r11 * t44 + r21 * t45;
+        const double c6 = r32 * c234 - (r12 * t44 + r22 * t45);
+        const double s6 = t46 - t47;
         /* 4. q3 by SP3, given q6 (what several branches share) */
-        const double t47 = 0.0997 * c6;
-        const double t48 = 0.0997 * (t46 - t45);
-        const double t49 = px + (r12 * t47 - r11 * t48 - t8);
-        const double t50 = py + (r22 * t47 - r21 * t48 - t9);
-        const double t51 = pz + (r32 * t47 - r31 * t48 - t10) - 0.1625;
-        const double t52 = t51 * t51;
-        const double t53 = 0.5 * (t52 + (t49 * t49 + t50 * t50));
-        const double t54 = 0.17610736499999996 - t53;
-        const double t55 = 0.02778388922499999 - t54 * t54;
-        const double t56 = ur5e_max(ur5e_max(ur5e_max(t22, ur5e_select(t40, 1e-13, 1.0, 0.0)), ur5e_select(t40, t24, 1.0, 0.0)), ur5e_select(t55, 2.778388922499999e-15, 1.0, 0.0));
-        const double t57 = t15 * (0.3371844086283462 * t55);
-        const double t58 = ur5e_select(t55, 2.778388922499999e-15, -1.0, 0.0);
-        const double t59 = sqrt(ur5e_select(t55, 2.778388922499999e-15, 0.0, t55));
-        const double t60 = ur5e_max(-0.16668499999999997, -ur5e_max(-0.16668499999999997, t53 - 0.17610736499999996));
-        const double t61 = 5.999340072592016 * t59;
+        const double t48 = 0.0997 * c6;
+        const double t49 = 0.0997 * (t47 - t46);
+        const double t50 = px + (r12 * t48 - r11 * t49 - t8);
+        const double t51 = py + (r22 * t48 - r21 * t49 - t9);
+        const double t52 = pz + (r32 * t48 - r31 * t49 - t10) - 0.1625;
+        const double t53 = t52 * t52;
+        const double t54 = 0.5 * (t53 + (t50 * t50 + t51 * t51));
+        const double t55 = 0.17610736499999996 - t54;
+        const double t56 = 0.02778388922499999 - t55 * t55;
+        const double t57 = ur5e_max(ur5e_max(ur5e_max(t22, ur5e_select(t41, 1e-13, 1.0, 0.0)), ur5e_select(t41, t24, 1.0, 0.0)), ur5e_select(t56, 2.778388922499999e-15, 1.0, 0.0));
+        const double t58 = t15 * (0.3371844086283462 * t56);
+        const double t59 = ur5e_select(t56, 2.778388922499999e-15, -1.0, 0.0);
+        const double t60 = sqrt(ur5e_select(t56, 2.778388922499999e-15, 0.0, t56));
+        const double t61 = ur5e_max(-0.16668499999999997, -ur5e_max(-0.16668499999999997, t54 - 0.17610736499999996));
         const double t62 = 5.999340072592016 * t60;
-        const double c3 = -t62;
-        const double level = 5.999340072592016 * t54;
-        const double no_root = ur5e_select(t40, 1e-16, ur5e_select(t55, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+        const double t63 = 5.999340072592016 * t61;
+        const double c3 = -t63;
+        const double level = 5.999340072592016 * t55;
+        const double no_root = ur5e_select(t41, t26, ur5e_select(t56, -2.778388922499999e-15, 1.0, 0.0), 0.0);
         /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
-        const double t63 = c1 * t49 + s1 * t50;
-        const double t64 = 2.3529411764705883 * t59;
-        const double t65 = 0.425 - 2.3529411764705883 * t60;
-        const double t66 = t51 * t64;
-        const double t67 = t63 * t65;
-        const double t68 = t63 * t64;
-        const double t69 = t51 * t65;
-        const double t70 = sqrt((t52 + t63 * t63) * (t64 * t64 + t65 * t65));
-        const double t71 = 1.7221312899999994 * ur5e_select(t57, 1e-13, 1e-13, 1.262177448353619e-29 / t57 + 1e-22);
-        const double singular = ur5e_max(t56, ur5e_select(t70, t71, 1.0, 0.0));
-        const double t72 = 1.0 / t70;
+        const double t64 = c1 * t50 + s1 * t51;
+        const double t65 = 2.3529411764705883 * t60;
+        const double t66 = 0.425 - 2.3529411764705883 * t61;
+        const double t67 = t52 * t65;
+        const double t68 = t64 * t66;
+        const double t69 = t64 * t65;
+        const double t70 = t52 * t66;
+        const double t71 = sqrt((t53 + t64 * t64) * (t65 * t65 + t66 * t66));
+        const double t72 = 1.7221312899999994 * ur5e_select(t58, 1e-13, 1e-13, 1.262177448353619e-29 / t58 + 1e-22);
+        const double singular = ur5e_max(t57, ur5e_select(t71, t72, 1.0, 0.0));
+        const double t73 = 1.0 / t71;
         /* Residual: forward kinematics against the target (what several branches share) */
-        const double t73 = c5 * s6;
-        const double t74 = s5 * s6;
-        const double t75 = c234 * c6 - s234 * t73;
-        const double t76 = s234 * c6 + c234 * t73;
-        const double t77 = c1 * t76 + s1 * t74;
-        const double t78 = c1 * t74 - s1 * t76;
-        const double t79 = s5 * c234;
-        const double t80 = s5 * s234;
-        const double t81 = c1 * t79 + s1 * t39;
-        const double t82 = c1 * t39 - s1 * t79;
-        const double t83 = 0.0996 * s5;
-        const double t84 = 0.0997 * c234 + s234 * t83;
-        const double t85 = c234 * t83 - 0.0997 * s234;
-        const double t86 = -0.1333 - 0.0996 * c5;
-        const double t87 = c1 * t86;
-        const double t88 = s1 * t86;
-        const double t89 = r11 + (t78 * t80 + t75 * t82);
-        const double t90 = r12 + t77;
-        const double t91 = r13 + t81;
-        const double t92 = r21 + (t75 * t81 + t77 * t80);
-        const double t93 = t78 - r22;
-        const double t94 = t82 - r23;
-        const double t95 = t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92 + t93 * t93 + t94 * t94;
-        const double t96 = t78 * t81 - t77 * t82 - r31;
-        const double t97 = t75 - r32;
-        const double t98 = r33 + t80;
-        const double t99 = 0.8610656449999997 * (t95 + t96 * t96 + t97 * t97 + t98 * t98);
+        const double t74 = c5 * s6;
+        const double t75 = s5 * s6;
+        const double t76 = c234 * c6 - s234 * t74;
+        const double t77 = s234 * c6 + c234 * t74;
+        const double t78 = c1 * t77 + s1 * t75;
+        const double t79 = c1 * t75 - s1 * t77;
+        const double t80 = s5 * c234;
+        const double t81 = s5 * s234;
+        const double t82 = c1 * t80 + s1 * t40;
+        const double t83 = c1 * t40 - s1 * t80;
+        const double t84 = 0.0996 * s5;
+        const double t85 = 0.0997 * c234 + s234 * t84;
+        const double t86 = c234 * t84 - 0.0997 * s234;
+        const double t87 = -0.1333 - 0.0996 * c5;
+        const double t88 = c1 * t87;
+        const double t89 = s1 * t87;
+        const double t90 = r11 + (t79 * t81 + t76 * t83);
+        const double t91 = r12 + t78;
+        const double t92 = r13 + t82;
+        const double t93 = r21 + (t76 * t82 + t78 * t81);
+        const double t94 = t79 - r22;
+        const double t95 = t83 - r23;
+        const double t96 = t90 * t90 + t91 * t91 + t92 * t92 + t93 * t93 + t94 * t94 + t95 * t95;
+        const double t97 = t79 * t82 - t78 * t83 - r31;
+        const double t98 = t76 - r32;
+        const double t99 = r33 + t81;
+        const double t100 = 0.8610656449999997 * (t96 + t97 * t97 + t98 * t98 + t99 * t99);
         /* Joint values: angles from sines and cosines, in (−π, π] */
         const double q1 = ur5e_angle(s1, c1);
-        const double t100 = ur5e_angle(-t61, c3);
+        const double t101 = ur5e_angle(-t62, c3);
         const double q5 = ur5e_angle(s5, c5);
         const double q6 = ur5e_angle(s6, c6);
         s1_[k] = s1;
         c1_[k] = c1;
-        t41_[k] = t41;
+        t42_[k] = t42;
         s234_[k] = s234;
         c234_[k] = c234;
-        t58_[k] = t58;
-        t61_[k] = t61;
+        t59_[k] = t59;
         t62_[k] = t62;
+        t63_[k] = t63;
         level_[k] = level;
         no_root_[k] = no_root;
-        t66_[k] = t66;
         t67_[k] = t67;
         t68_[k] = t68;
         t69_[k] = t69;
         t70_[k] = t70;
         t71_[k] = t71;
-        singular_[k] = singular;
         t72_[k] = t72;
-        t84_[k] = t84;
+        singular_[k] = singular;
+        t73_[k] = t73;
         t85_[k] = t85;
-        t87_[k] = t87;
+        t86_[k] = t86;
         t88_[k] = t88;
-        t99_[k] = t99;
-        q1_[k] = q1;
+        t89_[k] = t89;
         t100_[k] = t100;
+        q1_[k] = q1;
+        t101_[k] = t101;
         q5_[k] = q5;
         q6_[k] = q6;
     }
@@ -1329,29 +1331,29 @@ UR5E_INLINE void ur5e_lanes_of(
     for (int k = 4; k < 8; ++k) {
         s1_[k] = s1_[k - 4];
         c1_[k] = c1_[k - 4];
-        t41_[k] = t41_[k - 4];
+        t42_[k] = t42_[k - 4];
         s234_[k] = s234_[k - 4];
         c234_[k] = c234_[k - 4];
-        t58_[k] = t58_[k - 4];
-        t61_[k] = t61_[k - 4];
+        t59_[k] = t59_[k - 4];
         t62_[k] = t62_[k - 4];
+        t63_[k] = t63_[k - 4];
         level_[k] = level_[k - 4];
         no_root_[k] = no_root_[k - 4];
-        t66_[k] = t66_[k - 4];
         t67_[k] = t67_[k - 4];
         t68_[k] = t68_[k - 4];
         t69_[k] = t69_[k - 4];
         t70_[k] = t70_[k - 4];
         t71_[k] = t71_[k - 4];
-        singular_[k] = singular_[k - 4];
         t72_[k] = t72_[k - 4];
-        t84_[k] = t84_[k - 4];
+        singular_[k] = singular_[k - 4];
+        t73_[k] = t73_[k - 4];
         t85_[k] = t85_[k - 4];
-        t87_[k] = t87_[k - 4];
+        t86_[k] = t86_[k - 4];
         t88_[k] = t88_[k - 4];
-        t99_[k] = t99_[k - 4];
-        q1_[k] = q1_[k - 4];
+        t89_[k] = t89_[k - 4];
         t100_[k] = t100_[k - 4];
+        q1_[k] = q1_[k - 4];
+        t101_[k] = t101_[k - 4];
         q5_[k] = q5_[k - 4];
         q6_[k] = q6_[k - 4];
     }
@@ -1365,25 +1367,25 @@ UR5E_INLINE void ur5e_lanes_of(
     for (int k = 0; k < 8; ++k) {
         const double e3 = e3_of_8[k];
         /* 4. q3 by SP3, given q6 */
-        const double invalid = ur5e_max(t41_[k], e3 * t58_[k]);
+        const double invalid = ur5e_max(t42_[k], e3 * t59_[k]);
         /* 5. q2 by SP1, given q1, q3 and q6 */
-        const double s2 = ur5e_select(t70_[k], t71_[k], t3, -((t69_[k] + e3 * t68_[k]) * t72_[k]));
-        const double c2 = ur5e_select(t70_[k], t71_[k], t6, (e3 * t66_[k] - t67_[k]) * t72_[k]);
+        const double s2 = ur5e_select(t71_[k], t72_[k], t3, -((t70_[k] + e3 * t69_[k]) * t73_[k]));
+        const double c2 = ur5e_select(t71_[k], t72_[k], t6, (e3 * t67_[k] - t68_[k]) * t73_[k]);
         /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
-        const double t101 = s234_[k] * c2 - c234_[k] * s2;
-        const double t102 = c234_[k] * c2 + s234_[k] * s2;
+        const double t102 = s234_[k] * c2 - c234_[k] * s2;
+        const double t103 = c234_[k] * c2 + s234_[k] * s2;
         /* Residual: forward kinematics against the target */
-        const double t103 = 0.3922 * (t62_[k] * s2 + e3 * (t61_[k] * c2)) - 0.425 * s2 - t84_[k];
-        const double t104 = 0.425 * c2 + 0.3922 * (e3 * (t61_[k] * s2) - t62_[k] * c2) + t85_[k];
-        const double t105 = px + (c1_[k] * t104 + t88_[k]);
-        const double t106 = t87_[k] - s1_[k] * t104 - py;
-        const double t107 = t103 + 0.1625 - pz;
-        const double residual = sqrt(t33 + (t107 * t107 + (t105 * t105 + t106 * t106)) + t99_[k]);
+        const double t104 = 0.3922 * (t63_[k] * s2 + e3 * (t62_[k] * c2)) - 0.425 * s2 - t85_[k];
+        const double t105 = 0.425 * c2 + 0.3922 * (e3 * (t62_[k] * s2) - t63_[k] * c2) + t86_[k];
+        const double t106 = px + (c1_[k] * t105 + t89_[k]);
+        const double t107 = t88_[k] - s1_[k] * t105 - py;
+        const double t108 = t104 + 0.1625 - pz;
+        const double residual = sqrt(t34 + (t108 * t108 + (t106 * t106 + t107 * t107)) + t100_[k]);
         /* Joint values: angles from sines and cosines, in (−π, π] */
         const double q2 = ur5e_angle(s2, c2);
-        const double t108 = e3 * t100_[k];
-        const double q3 = ur5e_select(-3.141592653589793, t108, t108, t108 + 6.283185307179586);
-        const double q4 = ur5e_angle(e3 * (t61_[k] * t102) - t62_[k] * t101, -(t62_[k] * t102 + e3 * (t61_[k] * t101)));
+        const double t109 = e3 * t101_[k];
+        const double q3 = ur5e_select(-3.141592653589793, t109, t109, t109 + 6.283185307179586);
+        const double q4 = ur5e_angle(e3 * (t62_[k] * t103) - t63_[k] * t102, -(t63_[k] * t103 + e3 * (t62_[k] * t102)));
         invalid_[k] = invalid;
         residual_[k] = residual;
         q2_[k] = q2;
@@ -1584,22 +1586,31 @@ static void ur5e_move_free_joints(
     }
 }
 
-static void ur5e_compute_branches(
+/* The seed with its joints turned; one without a seed takes no part in a choice. */
+static void ur5e_turn_seed(
+    const double from[UR5E_SOLVED], double turn, double seed[UR5E_SOLVED])
+{
+    for (int i = 0; i < UR5E_SOLVED; ++i) {
+        seed[i] = (fabs(from[i]) < HUGE_VAL ? from[i] : 0.0) + turn;
+    }
+}
+
+/* The lanes, and whether joints that are free have moved in some of them. */
+static int ur5e_compute_branches(
     const double target[12], const double from[UR5E_SOLVED], const double *given, ur5e_lanes *lanes)
 {
     double seed[UR5E_SOLVED];
-    for (int i = 0; i < UR5E_SOLVED; ++i) {
-        seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;
-    }
-    ur5e_compute_lanes(target, seed, given, 1e-24, lanes);
+    ur5e_turn_seed(from, 0.0, seed);
+    ur5e_compute_lanes(target, seed, given, 1e-22, lanes);
     for (int i = 0; i < UR5E_FREE; ++i) {
         for (int k = 0; k < UR5E_BRANCHES; ++k) {
             if (lanes->no_root[i][k] > 0.0) {
                 ur5e_move_free_joints(target, seed, given, lanes, 0, -1, lanes);
-                return;
+                return 1;
             }
         }
     }
+    return 0;
 }
 
 /* The pose of a configuration, and the spatial Jacobian of the joints that are solved for, with the
@@ -1774,32 +1785,78 @@ static int ur5e_add_corrected(
 }
 
 /* The branches that reach their target, the others corrected. */
-static int ur5e_solve(
-    const double target[12], const double seed[UR5E_SOLVED], const double *given,
-    ur5e_solution *solutions)
+static int ur5e_reaching(
+    const ur5e_lanes *lanes, const double target[12], const double seed[UR5E_SOLVED],
+    const double *given, ur5e_solution *solutions)
 {
-    ur5e_lanes lanes;
     int count = 0;
     int nearly = 0;
-    ur5e_compute_branches(target, seed, given, &lanes);
     for (int k = 0; k < UR5E_BRANCHES; ++k) {
-        if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_TAKEN) {
+        if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= UR5E_TAKEN) {
             double q[UR5E_SOLVED];
             for (int i = 0; i < UR5E_SOLVED; ++i) {
-                q[i] = lanes.q[i][k];
+                q[i] = lanes->q[i][k];
             }
             ur5e_whole(q, given, solutions[count].q);
-            solutions[count].residual = lanes.residual[k];
+            solutions[count].residual = lanes->residual[k];
             solutions[count].branch = k;
-            solutions[count].singular = lanes.singular[k] > 0.0;
+            solutions[count].singular = lanes->singular[k] > 0.0;
             nearly |= solutions[count].singular;
             ++count;
-        } else if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_NEARLY) {
+        } else if (lanes->invalid[k] <= 0.0 && lanes->residual[k] <= UR5E_NEARLY) {
             nearly = 1;
         }
     }
     if (nearly) {
-        count = ur5e_add_corrected(&lanes, target, seed, given, solutions, count);
+        count = ur5e_add_corrected(lanes, target, seed, given, solutions, count);
+    }
+    return count;
+}
+
+/* Adds what branches lead to that have led to none of the solutions yet. */
+static int ur5e_add_led_to(
+    ur5e_lanes *lanes, const double target[12], const double seed[UR5E_SOLVED], const double *given,
+    ur5e_solution *solutions, int count)
+{
+    ur5e_solution more[UR5E_MAX_SOLUTIONS];
+    int found;
+    for (int k = 0; k < count; ++k) {
+        lanes->invalid[solutions[k].branch] = 1.0;
+    }
+    found = ur5e_reaching(lanes, target, seed, given, more);
+    for (int k = 0; k < found; ++k) {
+        count = ur5e_insert(&more[k], solutions, count);
+    }
+    return count;
+}
+
+/* What the branches lead to. The angle of a vector that is nearly nothing may be given up for one that leaves
+ * later steps a root, or be the one that the target asks for. And where a free joint is at right angles to what
+ * the target is off, no step of Newton's method tells that it has to turn: neither one of the turns, nor two or
+ * three of them together, is nearly a multiple of a quarter turn. */
+static int ur5e_solve(
+    const double target[12], const double seed[UR5E_SOLVED], const double *given,
+    ur5e_solution *solutions)
+{
+    static const double elsewhere[2] = {0.65, 1.9};
+    ur5e_lanes lanes;
+    double from[UR5E_SOLVED];
+    const int moves = ur5e_compute_branches(target, seed, given, &lanes);
+    int begin = 0, count = ur5e_reaching(&lanes, target, seed, given, solutions);
+    if (moves) {
+        ur5e_turn_seed(seed, 0.0, from);
+        ur5e_compute_lanes(target, from, given, 1e-22, &lanes);
+    }
+    for (int k = 0; k < UR5E_BRANCHES; ++k) {
+        begin += lanes.invalid[k] <= 0.0 && lanes.residual[k] <= UR5E_NEARLY;
+    }
+    if (moves) {
+        count = ur5e_add_led_to(&lanes, target, seed, given, solutions, count);
+    }
+    for (int i = 0; i < 2 && count < begin; ++i) {
+        ur5e_turn_seed(seed, elsewhere[i], from);
+        ur5e_compute_lanes(target, from, given, 1e-16, &lanes);
+        count = ur5e_add_led_to(&lanes, target, seed, given, solutions, count);
     }
     return count > 0 ? count : ur5e_why_none(&ur5e_own_metric, target);
 }

@@ -6,7 +6,7 @@
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
  * one branch: 162 multiplications, 112 additions, 5 divisions, 6 roots, 3 sines with
- * cosines, 6 arctangents, 36 selections.
+ * cosines, 6 arctangents, 37 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang c -o .
  */
 

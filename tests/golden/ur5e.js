@@ -6,7 +6,7 @@
  * With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
  * Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8 branches;
  * one branch: 162 multiplications, 112 additions, 5 divisions, 6 roots, 3 sines with
- * cosines, 6 arctangents, 36 selections.
+ * cosines, 6 arctangents, 37 selections.
  * Made again, beside the robot file, by: kin generate ur5e.urdf --lang js
  */
 
@@ -591,11 +591,17 @@ const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
     }
 };
 
+/* The seed with its joints turned. One without a seed takes no part in a choice, and what of it is free is
+ * at 0. */
+const $turned = (from, turn) => from.map((x) => (Math.abs(x) < Infinity ? x : 0.0) + turn);
+
+/* The lanes with joints that are free where the seed is. */
+const $as_told = (form, target, from, given) => form.lanes(target, $turned(from, 0.0), given, 1e-22);
+
 /* The lanes, with joints that are free moved where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
-    /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
-    const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
-    const lanes = form.lanes(target, seed, given, 1e-24);
+    const seed = $turned(from, 0.0);
+    const lanes = $as_told(form, target, from, given);
     const run = (seed) => form.lanes(target, seed, given, 1e-16);
     const open = Array.from({ length: form.branches }, (_, k) => k);
     $move_free_joints(form, run, seed, lanes, 0, open, lanes);
@@ -717,9 +723,41 @@ const $reaching = (arm, target, given, seed, lanes) => {
     return solutions;
 };
 
-/* The solutions of a target by the branches of a plan. */
-const $solve = (arm, target, seed, given) =>
-    $reaching(arm, target, given, seed, $branches(arm.form, target, seed, given));
+/* The solutions of a target by the branches of a plan. The angle of a vector that is nearly nothing may be
+ * given up for one that leaves later steps a root, or be the one that the target asks for. And where a free
+ * joint is at right angles to what the target is off, no step of Newton's method tells that it has to turn:
+ * neither one of the turns, nor two or three of them together, is nearly a multiple of a quarter turn. */
+const $solve = (arm, target, seed, given) => {
+    const { form } = arm;
+    const as_told = $as_told(form, target, seed, given);
+    const moves = form.free_joints.some((_, i) => as_told.no_root[i].some((none) => none > 0.0));
+    const branches = moves ? $branches(form, target, seed, given) : as_told;
+    const solutions = $reaching(arm, target, given, seed, branches);
+    if (form.taken < 0.0) {
+        return solutions;
+    }
+    const each = Array.from({ length: form.branches }, (_, k) => k);
+    const begins = (k) => as_told.invalid[k] <= 0.0 && as_told.residual[k] <= form.nearly;
+    const begin = each.filter(begins).length;
+    /* Of those that have led to none yet. */
+    const add = (lanes) => {
+        for (const { branch } of solutions) {
+            lanes.invalid[branch] = 1.0;
+        }
+        for (const found of $reaching(arm, target, given, seed, lanes)) {
+            $insert(arm, found, solutions);
+        }
+    };
+    if (moves) {
+        add(as_told);
+    }
+    for (const turn of [0.65, 1.9]) {
+        if (solutions.length < begin) {
+            add(form.lanes(target, $turned(seed, turn), given, 1e-16));
+        }
+    }
+    return solutions;
+};
 
 /* What of an array is no number, by its place and its type: of text, as pages have it, + makes text. */
 const $no_number = (values) => {
@@ -1044,162 +1082,164 @@ return $arm({
             /* 2. q2+q3+q4 and q5 by SP2, given q1 (what all branches share) */
             const t24 = $select(t15, 1e-13, 1e-13, free_below + 1.262177448353619e-29 / t15);
             const t25 = r33 * r33;
+            /* 4. q3 by SP3, given q6 (what all branches share) */
+            const t26 = $max(t24, 1e-16);
             /* Residual: forward kinematics against the target (what all branches share) */
-            const t26 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
-            const t27 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
-            const t28 = r31 * r32 + (r11 * r12 + r21 * r22);
-            const t29 = r13 - (r21 * r32 - r22 * r31);
-            const t30 = r23 - (r12 * r31 - r11 * r32);
-            const t31 = r33 - (r11 * r22 - r12 * r21);
-            const t32 = 0.25 * (t26 * t26 + t27 * t27) + t28 * t28 + t29 * t29 + t30 * t30;
-            const t33 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t32 + t31 * t31);
+            const t27 = r31 * r31 + (r11 * r11 + r21 * r21) - 1.0;
+            const t28 = r32 * r32 + (r12 * r12 + r22 * r22) - 1.0;
+            const t29 = r31 * r32 + (r11 * r12 + r21 * r22);
+            const t30 = r13 - (r21 * r32 - r22 * r31);
+            const t31 = r23 - (r12 * r31 - r11 * r32);
+            const t32 = r33 - (r11 * r22 - r12 * r21);
+            const t33 = 0.25 * (t27 * t27 + t28 * t28) + t29 * t29 + t30 * t30 + t31 * t31;
+            const t34 = 4.930380657631324e-32 * (pz * pz + (px * px + py * py)) + 1.7221312899999994 * (t33 + t32 * t32);
             /* 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2 */
             const e1_of_4 = [1.0, -1.0, 1.0, -1.0];
             const e2_of_4 = [1.0, 1.0, -1.0, -1.0];
             const s1_ = new Float64Array(8);
             const c1_ = new Float64Array(8);
-            const t41_ = new Float64Array(8);
+            const t42_ = new Float64Array(8);
             const s234_ = new Float64Array(8);
             const c234_ = new Float64Array(8);
-            const t58_ = new Float64Array(8);
-            const t61_ = new Float64Array(8);
+            const t59_ = new Float64Array(8);
             const t62_ = new Float64Array(8);
+            const t63_ = new Float64Array(8);
             const level_ = new Float64Array(8);
             const no_root_ = new Float64Array(8);
-            const t66_ = new Float64Array(8);
             const t67_ = new Float64Array(8);
             const t68_ = new Float64Array(8);
             const t69_ = new Float64Array(8);
             const t70_ = new Float64Array(8);
             const t71_ = new Float64Array(8);
-            const singular_ = new Float64Array(8);
             const t72_ = new Float64Array(8);
-            const t84_ = new Float64Array(8);
+            const singular_ = new Float64Array(8);
+            const t73_ = new Float64Array(8);
             const t85_ = new Float64Array(8);
-            const t87_ = new Float64Array(8);
+            const t86_ = new Float64Array(8);
             const t88_ = new Float64Array(8);
-            const t99_ = new Float64Array(8);
-            const q1_ = new Float64Array(8);
+            const t89_ = new Float64Array(8);
             const t100_ = new Float64Array(8);
+            const q1_ = new Float64Array(8);
+            const t101_ = new Float64Array(8);
             const q5_ = new Float64Array(8);
             const q6_ = new Float64Array(8);
             for (let k = 0; k < 4; ++k) {
                 const e1 = e1_of_4[k];
                 const e2 = e2_of_4[k];
                 /* 1. q1 by SP4 */
-                const t34 = -e1;
-                const t35 = e1 * t17;
-                const s1 = $select(t13, 1.7221312899999994e-22, t2, (t21 + t12 * t35) * t23);
-                const c1 = $select(t13, 1.7221312899999994e-22, t5, (t20 - t11 * t35) * t23);
+                const t35 = -e1;
+                const t36 = e1 * t17;
+                const s1 = $select(t13, 1.7221312899999994e-22, t2, (t21 + t12 * t36) * t23);
+                const c1 = $select(t13, 1.7221312899999994e-22, t5, (t20 - t11 * t36) * t23);
                 /* 2. q2+q3+q4 and q5 by SP2, given q1 */
-                const t36 = r13 * s1;
-                const t37 = r23 * c1;
-                const t38 = r13 * c1 + r23 * s1;
-                const t39 = t37 - t36;
-                const c5 = t36 - t37;
-                const t40 = t25 + t38 * t38;
-                const t41 = $max($max($select(t14, t16, t34, 0.0), $select(t13, 1.7221312899999994e-22, t34, 0.0)), $select(t40, t24, -e2, 0.0));
-                const s5 = e2 * Math.sqrt($select(t40, t24, 0.0, t40));
-                const t42 = 1.0 / t40;
-                const s234 = $select(t40, t24, t4, -(r33 * s5 * t42));
-                const c234 = $select(t40, t24, t7, -(t38 * s5 * t42));
+                const t37 = r13 * s1;
+                const t38 = r23 * c1;
+                const t39 = r13 * c1 + r23 * s1;
+                const t40 = t38 - t37;
+                const c5 = t37 - t38;
+                const t41 = t25 + t39 * t39;
+                const t42 = $max($max($select(t14, t16, t35, 0.0), $select(t13, 1.7221312899999994e-22, t35, 0.0)), $select(t41, t24, -e2, 0.0));
+                const s5 = e2 * Math.sqrt($select(t41, t24, 0.0, t41));
+                const t43 = 1.0 / t41;
+                const s234 = $select(t41, t24, t4, -(r33 * s5 * t43));
+                const c234 = $select(t41, t24, t7, -(t39 * s5 * t43));
                 /* 3. q6 by SP1, given q1 and q2+q3+q4 */
-                const t43 = c1 * s234;
-                const t44 = s1 * s234;
-                const t45 = r31 * c234;
-                const t46 = r11 * t43 + r21 * t44;
-                const c6 = r32 * c234 - (r12 * t43 + r22 * t44);
-                const s6 = t45 - t46;
+                const t44 = c1 * s234;
+                const t45 = s1 * s234;
+                const t46 = r31 * c234;
+                const t47 = r11 * t44 + r21 * t45;
+                const c6 = r32 * c234 - (r12 * t44 + r22 * t45);
+                const s6 = t46 - t47;
                 /* 4. q3 by SP3, given q6 (what several branches share) */
-                const t47 = 0.0997 * c6;
-                const t48 = 0.0997 * (t46 - t45);
-                const t49 = px + (r12 * t47 - r11 * t48 - t8);
-                const t50 = py + (r22 * t47 - r21 * t48 - t9);
-                const t51 = pz + (r32 * t47 - r31 * t48 - t10) - 0.1625;
-                const t52 = t51 * t51;
-                const t53 = 0.5 * (t52 + (t49 * t49 + t50 * t50));
-                const t54 = 0.17610736499999996 - t53;
-                const t55 = 0.02778388922499999 - t54 * t54;
-                const t56 = $max($max($max(t22, $select(t40, 1e-13, 1.0, 0.0)), $select(t40, t24, 1.0, 0.0)), $select(t55, 2.778388922499999e-15, 1.0, 0.0));
-                const t57 = t15 * (0.3371844086283462 * t55);
-                const t58 = $select(t55, 2.778388922499999e-15, -1.0, 0.0);
-                const t59 = Math.sqrt($select(t55, 2.778388922499999e-15, 0.0, t55));
-                const t60 = $max(-0.16668499999999997, -$max(-0.16668499999999997, t53 - 0.17610736499999996));
-                const t61 = 5.999340072592016 * t59;
+                const t48 = 0.0997 * c6;
+                const t49 = 0.0997 * (t47 - t46);
+                const t50 = px + (r12 * t48 - r11 * t49 - t8);
+                const t51 = py + (r22 * t48 - r21 * t49 - t9);
+                const t52 = pz + (r32 * t48 - r31 * t49 - t10) - 0.1625;
+                const t53 = t52 * t52;
+                const t54 = 0.5 * (t53 + (t50 * t50 + t51 * t51));
+                const t55 = 0.17610736499999996 - t54;
+                const t56 = 0.02778388922499999 - t55 * t55;
+                const t57 = $max($max($max(t22, $select(t41, 1e-13, 1.0, 0.0)), $select(t41, t24, 1.0, 0.0)), $select(t56, 2.778388922499999e-15, 1.0, 0.0));
+                const t58 = t15 * (0.3371844086283462 * t56);
+                const t59 = $select(t56, 2.778388922499999e-15, -1.0, 0.0);
+                const t60 = Math.sqrt($select(t56, 2.778388922499999e-15, 0.0, t56));
+                const t61 = $max(-0.16668499999999997, -$max(-0.16668499999999997, t54 - 0.17610736499999996));
                 const t62 = 5.999340072592016 * t60;
-                const c3 = -t62;
-                const level = 5.999340072592016 * t54;
-                const no_root = $select(t40, 1e-16, $select(t55, -2.778388922499999e-15, 1.0, 0.0), 0.0);
+                const t63 = 5.999340072592016 * t61;
+                const c3 = -t63;
+                const level = 5.999340072592016 * t55;
+                const no_root = $select(t41, t26, $select(t56, -2.778388922499999e-15, 1.0, 0.0), 0.0);
                 /* 5. q2 by SP1, given q1, q3 and q6 (what several branches share) */
-                const t63 = c1 * t49 + s1 * t50;
-                const t64 = 2.3529411764705883 * t59;
-                const t65 = 0.425 - 2.3529411764705883 * t60;
-                const t66 = t51 * t64;
-                const t67 = t63 * t65;
-                const t68 = t63 * t64;
-                const t69 = t51 * t65;
-                const t70 = Math.sqrt((t52 + t63 * t63) * (t64 * t64 + t65 * t65));
-                const t71 = 1.7221312899999994 * $select(t57, 1e-13, 1e-13, 1.262177448353619e-29 / t57 + 1e-22);
-                const singular = $max(t56, $select(t70, t71, 1.0, 0.0));
-                const t72 = 1.0 / t70;
+                const t64 = c1 * t50 + s1 * t51;
+                const t65 = 2.3529411764705883 * t60;
+                const t66 = 0.425 - 2.3529411764705883 * t61;
+                const t67 = t52 * t65;
+                const t68 = t64 * t66;
+                const t69 = t64 * t65;
+                const t70 = t52 * t66;
+                const t71 = Math.sqrt((t53 + t64 * t64) * (t65 * t65 + t66 * t66));
+                const t72 = 1.7221312899999994 * $select(t58, 1e-13, 1e-13, 1.262177448353619e-29 / t58 + 1e-22);
+                const singular = $max(t57, $select(t71, t72, 1.0, 0.0));
+                const t73 = 1.0 / t71;
                 /* Residual: forward kinematics against the target (what several branches share) */
-                const t73 = c5 * s6;
-                const t74 = s5 * s6;
-                const t75 = c234 * c6 - s234 * t73;
-                const t76 = s234 * c6 + c234 * t73;
-                const t77 = c1 * t76 + s1 * t74;
-                const t78 = c1 * t74 - s1 * t76;
-                const t79 = s5 * c234;
-                const t80 = s5 * s234;
-                const t81 = c1 * t79 + s1 * t39;
-                const t82 = c1 * t39 - s1 * t79;
-                const t83 = 0.0996 * s5;
-                const t84 = 0.0997 * c234 + s234 * t83;
-                const t85 = c234 * t83 - 0.0997 * s234;
-                const t86 = -0.1333 - 0.0996 * c5;
-                const t87 = c1 * t86;
-                const t88 = s1 * t86;
-                const t89 = r11 + (t78 * t80 + t75 * t82);
-                const t90 = r12 + t77;
-                const t91 = r13 + t81;
-                const t92 = r21 + (t75 * t81 + t77 * t80);
-                const t93 = t78 - r22;
-                const t94 = t82 - r23;
-                const t95 = t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92 + t93 * t93 + t94 * t94;
-                const t96 = t78 * t81 - t77 * t82 - r31;
-                const t97 = t75 - r32;
-                const t98 = r33 + t80;
-                const t99 = 0.8610656449999997 * (t95 + t96 * t96 + t97 * t97 + t98 * t98);
+                const t74 = c5 * s6;
+                const t75 = s5 * s6;
+                const t76 = c234 * c6 - s234 * t74;
+                const t77 = s234 * c6 + c234 * t74;
+                const t78 = c1 * t77 + s1 * t75;
+                const t79 = c1 * t75 - s1 * t77;
+                const t80 = s5 * c234;
+                const t81 = s5 * s234;
+                const t82 = c1 * t80 + s1 * t40;
+                const t83 = c1 * t40 - s1 * t80;
+                const t84 = 0.0996 * s5;
+                const t85 = 0.0997 * c234 + s234 * t84;
+                const t86 = c234 * t84 - 0.0997 * s234;
+                const t87 = -0.1333 - 0.0996 * c5;
+                const t88 = c1 * t87;
+                const t89 = s1 * t87;
+                const t90 = r11 + (t79 * t81 + t76 * t83);
+                const t91 = r12 + t78;
+                const t92 = r13 + t82;
+                const t93 = r21 + (t76 * t82 + t78 * t81);
+                const t94 = t79 - r22;
+                const t95 = t83 - r23;
+                const t96 = t90 * t90 + t91 * t91 + t92 * t92 + t93 * t93 + t94 * t94 + t95 * t95;
+                const t97 = t79 * t82 - t78 * t83 - r31;
+                const t98 = t76 - r32;
+                const t99 = r33 + t81;
+                const t100 = 0.8610656449999997 * (t96 + t97 * t97 + t98 * t98 + t99 * t99);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const q1 = $angle(s1, c1);
-                const t100 = $angle(-t61, c3);
+                const t101 = $angle(-t62, c3);
                 const q5 = $angle(s5, c5);
                 const q6 = $angle(s6, c6);
                 s1_[k] = s1;
                 c1_[k] = c1;
-                t41_[k] = t41;
+                t42_[k] = t42;
                 s234_[k] = s234;
                 c234_[k] = c234;
-                t58_[k] = t58;
-                t61_[k] = t61;
+                t59_[k] = t59;
                 t62_[k] = t62;
+                t63_[k] = t63;
                 level_[k] = level;
                 no_root_[k] = no_root;
-                t66_[k] = t66;
                 t67_[k] = t67;
                 t68_[k] = t68;
                 t69_[k] = t69;
                 t70_[k] = t70;
                 t71_[k] = t71;
-                singular_[k] = singular;
                 t72_[k] = t72;
-                t84_[k] = t84;
+                singular_[k] = singular;
+                t73_[k] = t73;
                 t85_[k] = t85;
-                t87_[k] = t87;
+                t86_[k] = t86;
                 t88_[k] = t88;
-                t99_[k] = t99;
-                q1_[k] = q1;
+                t89_[k] = t89;
                 t100_[k] = t100;
+                q1_[k] = q1;
+                t101_[k] = t101;
                 q5_[k] = q5;
                 q6_[k] = q6;
             }
@@ -1207,29 +1247,29 @@ return $arm({
             for (let k = 4; k < 8; ++k) {
                 s1_[k] = s1_[k - 4];
                 c1_[k] = c1_[k - 4];
-                t41_[k] = t41_[k - 4];
+                t42_[k] = t42_[k - 4];
                 s234_[k] = s234_[k - 4];
                 c234_[k] = c234_[k - 4];
-                t58_[k] = t58_[k - 4];
-                t61_[k] = t61_[k - 4];
+                t59_[k] = t59_[k - 4];
                 t62_[k] = t62_[k - 4];
+                t63_[k] = t63_[k - 4];
                 level_[k] = level_[k - 4];
                 no_root_[k] = no_root_[k - 4];
-                t66_[k] = t66_[k - 4];
                 t67_[k] = t67_[k - 4];
                 t68_[k] = t68_[k - 4];
                 t69_[k] = t69_[k - 4];
                 t70_[k] = t70_[k - 4];
                 t71_[k] = t71_[k - 4];
-                singular_[k] = singular_[k - 4];
                 t72_[k] = t72_[k - 4];
-                t84_[k] = t84_[k - 4];
+                singular_[k] = singular_[k - 4];
+                t73_[k] = t73_[k - 4];
                 t85_[k] = t85_[k - 4];
-                t87_[k] = t87_[k - 4];
+                t86_[k] = t86_[k - 4];
                 t88_[k] = t88_[k - 4];
-                t99_[k] = t99_[k - 4];
-                q1_[k] = q1_[k - 4];
+                t89_[k] = t89_[k - 4];
                 t100_[k] = t100_[k - 4];
+                q1_[k] = q1_[k - 4];
+                t101_[k] = t101_[k - 4];
                 q5_[k] = q5_[k - 4];
                 q6_[k] = q6_[k - 4];
             }
@@ -1243,25 +1283,25 @@ return $arm({
             for (let k = 0; k < 8; ++k) {
                 const e3 = e3_of_8[k];
                 /* 4. q3 by SP3, given q6 */
-                const invalid = $max(t41_[k], e3 * t58_[k]);
+                const invalid = $max(t42_[k], e3 * t59_[k]);
                 /* 5. q2 by SP1, given q1, q3 and q6 */
-                const s2 = $select(t70_[k], t71_[k], t3, -((t69_[k] + e3 * t68_[k]) * t72_[k]));
-                const c2 = $select(t70_[k], t71_[k], t6, (e3 * t66_[k] - t67_[k]) * t72_[k]);
+                const s2 = $select(t71_[k], t72_[k], t3, -((t70_[k] + e3 * t69_[k]) * t73_[k]));
+                const c2 = $select(t71_[k], t72_[k], t6, (e3 * t67_[k] - t68_[k]) * t73_[k]);
                 /* 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3 */
-                const t101 = s234_[k] * c2 - c234_[k] * s2;
-                const t102 = c234_[k] * c2 + s234_[k] * s2;
+                const t102 = s234_[k] * c2 - c234_[k] * s2;
+                const t103 = c234_[k] * c2 + s234_[k] * s2;
                 /* Residual: forward kinematics against the target */
-                const t103 = 0.3922 * (t62_[k] * s2 + e3 * (t61_[k] * c2)) - 0.425 * s2 - t84_[k];
-                const t104 = 0.425 * c2 + 0.3922 * (e3 * (t61_[k] * s2) - t62_[k] * c2) + t85_[k];
-                const t105 = px + (c1_[k] * t104 + t88_[k]);
-                const t106 = t87_[k] - s1_[k] * t104 - py;
-                const t107 = t103 + 0.1625 - pz;
-                const residual = Math.sqrt(t33 + (t107 * t107 + (t105 * t105 + t106 * t106)) + t99_[k]);
+                const t104 = 0.3922 * (t63_[k] * s2 + e3 * (t62_[k] * c2)) - 0.425 * s2 - t85_[k];
+                const t105 = 0.425 * c2 + 0.3922 * (e3 * (t62_[k] * s2) - t63_[k] * c2) + t86_[k];
+                const t106 = px + (c1_[k] * t105 + t89_[k]);
+                const t107 = t88_[k] - s1_[k] * t105 - py;
+                const t108 = t104 + 0.1625 - pz;
+                const residual = Math.sqrt(t34 + (t108 * t108 + (t106 * t106 + t107 * t107)) + t100_[k]);
                 /* Joint values: angles from sines and cosines, in (−π, π] */
                 const q2 = $angle(s2, c2);
-                const t108 = e3 * t100_[k];
-                const q3 = $select(-3.141592653589793, t108, t108, t108 + 6.283185307179586);
-                const q4 = $angle(e3 * (t61_[k] * t102) - t62_[k] * t101, -(t62_[k] * t102 + e3 * (t61_[k] * t101)));
+                const t109 = e3 * t101_[k];
+                const q3 = $select(-3.141592653589793, t109, t109, t109 + 6.283185307179586);
+                const q4 = $angle(e3 * (t62_[k] * t103) - t63_[k] * t102, -(t63_[k] * t103 + e3 * (t62_[k] * t102)));
                 invalid_[k] = invalid;
                 residual_[k] = residual;
                 q2_[k] = q2;

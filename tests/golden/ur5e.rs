@@ -7,7 +7,7 @@
 // With the spatial Jacobian: 62 multiplications, 34 additions, 6 sines with cosines.
 // Inverse kinematics: SP4(q1) SP2(q2+q3+q4,q5) SP1(q6) SP3(q3) SP1(q2) sum(q4), 8
 // branches; one branch: 162 multiplications, 112 additions, 5 divisions, 6 roots, 3
-// sines with cosines, 6 arctangents, 36 selections.
+// sines with cosines, 6 arctangents, 37 selections.
 // Made again, beside the robot file, by: kin generate ur5e.urdf
 
 #[cfg_attr(rustfmt, rustfmt_skip)]
@@ -821,7 +821,7 @@ mod __Ur5e {
             let ([t2, t3, t4], [t5, t6, t7]) = sin_cos.of([seed[0], seed[1], t1]);
             aligned!(
                 t8_, t9_, t10_, t11_, t12_, t13_, t14_, t15_, t16_, t17_, t20_, t21_,
-                t22_, t23_, t24_, t25_, t33_ = [0.0; T]
+                t22_, t23_, t24_, t25_, t26_, t34_ = [0.0; T]
             );
             for t in 0..T {
                 // 1. q1 by SP4 (what all branches share)
@@ -851,33 +851,35 @@ mod __Ur5e {
                     free + 1.262177448353619e-29 / t15,
                 );
                 let t25 = r33[t] * r33[t];
+                // 4. q3 by SP3, given q6 (what all branches share)
+                let t26 = math::max(t24, 1e-16);
                 // Residual: forward kinematics against the target (what all branches
                 // share)
-                let t26 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
+                let t27 = A::fma(r31[t], r31[t], A::fma(r11[t], r11[t], r21[t] * r21[t]))
                     - 1.0;
-                let t27 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
+                let t28 = A::fma(r32[t], r32[t], A::fma(r12[t], r12[t], r22[t] * r22[t]))
                     - 1.0;
-                let t28 = A::fma(
+                let t29 = A::fma(
                     r31[t],
                     r32[t],
                     A::fma(r11[t], r12[t], r21[t] * r22[t]),
                 );
-                let t29 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
-                let t30 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
-                let t31 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
-                let t32 = A::fma(
-                    t30,
-                    t30,
+                let t30 = r13[t] - A::fma(r21[t], r32[t], -(r22[t] * r31[t]));
+                let t31 = r23[t] - A::fma(r12[t], r31[t], -(r11[t] * r32[t]));
+                let t32 = r33[t] - A::fma(r11[t], r22[t], -(r12[t] * r21[t]));
+                let t33 = A::fma(
+                    t31,
+                    t31,
                     A::fma(
-                        t29,
-                        t29,
-                        A::fma(0.25, A::fma(t26, t26, t27 * t27), t28 * t28),
+                        t30,
+                        t30,
+                        A::fma(0.25, A::fma(t27, t27, t28 * t28), t29 * t29),
                     ),
                 );
-                let t33 = A::fma(
+                let t34 = A::fma(
                     4.930380657631324e-32,
                     A::fma(pz[t], pz[t], A::fma(px[t], px[t], py[t] * py[t])),
-                    1.7221312899999994 * A::fma(t31, t31, t32),
+                    1.7221312899999994 * A::fma(t32, t32, t33),
                 );
                 t8_[t] = t8;
                 t9_[t] = t9;
@@ -895,192 +897,193 @@ mod __Ur5e {
                 t23_[t] = t23;
                 t24_[t] = t24;
                 t25_[t] = t25;
-                t33_[t] = t33;
+                t26_[t] = t26;
+                t34_[t] = t34;
             }
             // 4 lanes, by the signs of the roots: e1 of step 1 and e2 of step 2
             let e1 = [1.0, -1.0, 1.0, -1.0];
             let e2 = [1.0, 1.0, -1.0, -1.0];
             aligned!(
-                s1_, c1_, t41_, s234_, c234_, t58_, t61_, t62_, level_, no_root_, t66_,
-                t67_, t68_, t69_, t70_, t71_, singular_, t72_, t84_, t85_, t87_, t88_,
-                t99_, q1_, t100_, q5_, q6_ = [[0.0; T]; 4]
+                s1_, c1_, t42_, s234_, c234_, t59_, t62_, t63_, level_, no_root_, t67_,
+                t68_, t69_, t70_, t71_, t72_, singular_, t73_, t85_, t86_, t88_, t89_,
+                t100_, q1_, t101_, q5_, q6_ = [[0.0; T]; 4]
             );
             for k in 0..4 {
                 for t in 0..T {
                     // 1. q1 by SP4
-                    let t34 = -e1[k];
-                    let t35 = e1[k] * t17_[t];
+                    let t35 = -e1[k];
+                    let t36 = e1[k] * t17_[t];
                     let s1 = math::select(
                         t13_[t] < 1.7221312899999994e-22,
                         t2,
-                        A::fma(t12_[t], t35, t21_[t]) * t23_[t],
+                        A::fma(t12_[t], t36, t21_[t]) * t23_[t],
                     );
                     let c1 = math::select(
                         t13_[t] < 1.7221312899999994e-22,
                         t5,
-                        A::fma(-t11_[t], t35, t20_[t]) * t23_[t],
+                        A::fma(-t11_[t], t36, t20_[t]) * t23_[t],
                     );
                     // 2. q2+q3+q4 and q5 by SP2, given q1
-                    let t36 = r13[t] * s1;
-                    let t37 = r23[t] * c1;
-                    let t38 = A::fma(r13[t], c1, r23[t] * s1);
-                    let t39 = t37 - t36;
-                    let c5 = t36 - t37;
-                    let t40 = A::fma(t38, t38, t25_[t]);
-                    let t41 = math::max(
+                    let t37 = r13[t] * s1;
+                    let t38 = r23[t] * c1;
+                    let t39 = A::fma(r13[t], c1, r23[t] * s1);
+                    let t40 = t38 - t37;
+                    let c5 = t37 - t38;
+                    let t41 = A::fma(t39, t39, t25_[t]);
+                    let t42 = math::max(
                         math::max(
-                            math::select(t14_[t] < t16_[t], t34, 0.0),
-                            math::select(t13_[t] < 1.7221312899999994e-22, t34, 0.0),
+                            math::select(t14_[t] < t16_[t], t35, 0.0),
+                            math::select(t13_[t] < 1.7221312899999994e-22, t35, 0.0),
                         ),
-                        math::select(t40 < t24_[t], -e2[k], 0.0),
+                        math::select(t41 < t24_[t], -e2[k], 0.0),
                     );
-                    let s5 = e2[k] * math::sqrt(math::select(t40 < t24_[t], 0.0, t40));
-                    let t42 = 1.0 / t40;
-                    let s234 = math::select(t40 < t24_[t], t4, -(r33[t] * s5 * t42));
-                    let c234 = math::select(t40 < t24_[t], t7, -(t38 * s5 * t42));
+                    let s5 = e2[k] * math::sqrt(math::select(t41 < t24_[t], 0.0, t41));
+                    let t43 = 1.0 / t41;
+                    let s234 = math::select(t41 < t24_[t], t4, -(r33[t] * s5 * t43));
+                    let c234 = math::select(t41 < t24_[t], t7, -(t39 * s5 * t43));
                     // 3. q6 by SP1, given q1 and q2+q3+q4
-                    let t43 = c1 * s234;
-                    let t44 = s1 * s234;
-                    let t45 = r31[t] * c234;
-                    let t46 = A::fma(r11[t], t43, r21[t] * t44);
-                    let c6 = A::fma(r32[t], c234, -A::fma(r12[t], t43, r22[t] * t44));
-                    let s6 = t45 - t46;
+                    let t44 = c1 * s234;
+                    let t45 = s1 * s234;
+                    let t46 = r31[t] * c234;
+                    let t47 = A::fma(r11[t], t44, r21[t] * t45);
+                    let c6 = A::fma(r32[t], c234, -A::fma(r12[t], t44, r22[t] * t45));
+                    let s6 = t46 - t47;
                     // 4. q3 by SP3, given q6 (what several branches share)
-                    let t47 = 0.0997 * c6;
-                    let t48 = 0.0997 * (t46 - t45);
-                    let t49 = px[t] + (A::fma(r12[t], t47, -(r11[t] * t48)) - t8_[t]);
-                    let t50 = py[t] + (A::fma(r22[t], t47, -(r21[t] * t48)) - t9_[t]);
-                    let t51 = pz[t] + (A::fma(r32[t], t47, -(r31[t] * t48)) - t10_[t])
+                    let t48 = 0.0997 * c6;
+                    let t49 = 0.0997 * (t47 - t46);
+                    let t50 = px[t] + (A::fma(r12[t], t48, -(r11[t] * t49)) - t8_[t]);
+                    let t51 = py[t] + (A::fma(r22[t], t48, -(r21[t] * t49)) - t9_[t]);
+                    let t52 = pz[t] + (A::fma(r32[t], t48, -(r31[t] * t49)) - t10_[t])
                         - 0.1625;
-                    let t52 = t51 * t51;
-                    let t53 = 0.5 * (t52 + A::fma(t49, t49, t50 * t50));
-                    let t54 = 0.17610736499999996 - t53;
-                    let t55 = A::fma(-t54, t54, 0.02778388922499999);
-                    let t56 = math::max(
+                    let t53 = t52 * t52;
+                    let t54 = 0.5 * (t53 + A::fma(t50, t50, t51 * t51));
+                    let t55 = 0.17610736499999996 - t54;
+                    let t56 = A::fma(-t55, t55, 0.02778388922499999);
+                    let t57 = math::max(
                         math::max(
-                            math::max(t22_[t], math::select(t40 < 1e-13, 1.0, 0.0)),
-                            math::select(t40 < t24_[t], 1.0, 0.0),
+                            math::max(t22_[t], math::select(t41 < 1e-13, 1.0, 0.0)),
+                            math::select(t41 < t24_[t], 1.0, 0.0),
                         ),
-                        math::select(t55 < 2.778388922499999e-15, 1.0, 0.0),
+                        math::select(t56 < 2.778388922499999e-15, 1.0, 0.0),
                     );
-                    let t57 = t15_[t] * (0.3371844086283462 * t55);
-                    let t58 = math::select(t55 < 2.778388922499999e-15, -1.0, 0.0);
-                    let t59 = math::sqrt(
-                        math::select(t55 < 2.778388922499999e-15, 0.0, t55),
+                    let t58 = t15_[t] * (0.3371844086283462 * t56);
+                    let t59 = math::select(t56 < 2.778388922499999e-15, -1.0, 0.0);
+                    let t60 = math::sqrt(
+                        math::select(t56 < 2.778388922499999e-15, 0.0, t56),
                     );
-                    let t60 = math::max(
+                    let t61 = math::max(
                         -0.16668499999999997,
-                        -math::max(-0.16668499999999997, t53 - 0.17610736499999996),
+                        -math::max(-0.16668499999999997, t54 - 0.17610736499999996),
                     );
-                    let t61 = 5.999340072592016 * t59;
                     let t62 = 5.999340072592016 * t60;
-                    let c3 = -t62;
-                    let level = 5.999340072592016 * t54;
+                    let t63 = 5.999340072592016 * t61;
+                    let c3 = -t63;
+                    let level = 5.999340072592016 * t55;
                     let no_root = math::select(
-                        t40 < 1e-16,
-                        math::select(t55 < -2.778388922499999e-15, 1.0, 0.0),
+                        t41 < t26_[t],
+                        math::select(t56 < -2.778388922499999e-15, 1.0, 0.0),
                         0.0,
                     );
                     // 5. q2 by SP1, given q1, q3 and q6 (what several branches share)
-                    let t63 = A::fma(c1, t49, s1 * t50);
-                    let t64 = 2.3529411764705883 * t59;
-                    let t65 = A::fma(-2.3529411764705883, t60, 0.425);
-                    let t66 = t51 * t64;
-                    let t67 = t63 * t65;
-                    let t68 = t63 * t64;
-                    let t69 = t51 * t65;
-                    let t70 = math::sqrt(
-                        A::fma(t63, t63, t52) * A::fma(t64, t64, t65 * t65),
+                    let t64 = A::fma(c1, t50, s1 * t51);
+                    let t65 = 2.3529411764705883 * t60;
+                    let t66 = A::fma(-2.3529411764705883, t61, 0.425);
+                    let t67 = t52 * t65;
+                    let t68 = t64 * t66;
+                    let t69 = t64 * t65;
+                    let t70 = t52 * t66;
+                    let t71 = math::sqrt(
+                        A::fma(t64, t64, t53) * A::fma(t65, t65, t66 * t66),
                     );
-                    let t71 = 1.7221312899999994
+                    let t72 = 1.7221312899999994
                         * math::select(
-                            t57 < 1e-13,
+                            t58 < 1e-13,
                             1e-13,
-                            1.262177448353619e-29 / t57 + 1e-22,
+                            1.262177448353619e-29 / t58 + 1e-22,
                         );
-                    let singular = math::max(t56, math::select(t70 < t71, 1.0, 0.0));
-                    let t72 = 1.0 / t70;
+                    let singular = math::max(t57, math::select(t71 < t72, 1.0, 0.0));
+                    let t73 = 1.0 / t71;
                     // Residual: forward kinematics against the target (what several
                     // branches share)
-                    let t73 = c5 * s6;
-                    let t74 = s5 * s6;
-                    let t75 = A::fma(c234, c6, -(s234 * t73));
-                    let t76 = A::fma(s234, c6, c234 * t73);
-                    let t77 = A::fma(c1, t76, s1 * t74);
-                    let t78 = A::fma(c1, t74, -(s1 * t76));
-                    let t79 = s5 * c234;
-                    let t80 = s5 * s234;
-                    let t81 = A::fma(c1, t79, s1 * t39);
-                    let t82 = A::fma(-s1, t79, c1 * t39);
-                    let t83 = 0.0996 * s5;
-                    let t84 = A::fma(0.0997, c234, s234 * t83);
-                    let t85 = A::fma(c234, t83, -(0.0997 * s234));
-                    let t86 = A::fma(-0.0996, c5, -0.1333);
-                    let t87 = c1 * t86;
-                    let t88 = s1 * t86;
-                    let t89 = r11[t] + A::fma(t78, t80, t75 * t82);
-                    let t90 = r12[t] + t77;
-                    let t91 = r13[t] + t81;
-                    let t92 = r21[t] + A::fma(t75, t81, t77 * t80);
-                    let t93 = t78 - r22[t];
-                    let t94 = t82 - r23[t];
-                    let t95 = A::fma(
-                        t94,
-                        t94,
+                    let t74 = c5 * s6;
+                    let t75 = s5 * s6;
+                    let t76 = A::fma(c234, c6, -(s234 * t74));
+                    let t77 = A::fma(s234, c6, c234 * t74);
+                    let t78 = A::fma(c1, t77, s1 * t75);
+                    let t79 = A::fma(c1, t75, -(s1 * t77));
+                    let t80 = s5 * c234;
+                    let t81 = s5 * s234;
+                    let t82 = A::fma(c1, t80, s1 * t40);
+                    let t83 = A::fma(-s1, t80, c1 * t40);
+                    let t84 = 0.0996 * s5;
+                    let t85 = A::fma(0.0997, c234, s234 * t84);
+                    let t86 = A::fma(c234, t84, -(0.0997 * s234));
+                    let t87 = A::fma(-0.0996, c5, -0.1333);
+                    let t88 = c1 * t87;
+                    let t89 = s1 * t87;
+                    let t90 = r11[t] + A::fma(t79, t81, t76 * t83);
+                    let t91 = r12[t] + t78;
+                    let t92 = r13[t] + t82;
+                    let t93 = r21[t] + A::fma(t76, t82, t78 * t81);
+                    let t94 = t79 - r22[t];
+                    let t95 = t83 - r23[t];
+                    let t96 = A::fma(
+                        t95,
+                        t95,
                         A::fma(
-                            t93,
-                            t93,
+                            t94,
+                            t94,
                             A::fma(
-                                t92,
-                                t92,
-                                A::fma(t91, t91, A::fma(t89, t89, t90 * t90)),
+                                t93,
+                                t93,
+                                A::fma(t92, t92, A::fma(t90, t90, t91 * t91)),
                             ),
                         ),
                     );
-                    let t96 = A::fma(t78, t81, -(t77 * t82)) - r31[t];
-                    let t97 = t75 - r32[t];
-                    let t98 = r33[t] + t80;
-                    let t99 = 0.8610656449999997
-                        * A::fma(t98, t98, A::fma(t97, t97, A::fma(t96, t96, t95)));
+                    let t97 = A::fma(t79, t82, -(t78 * t83)) - r31[t];
+                    let t98 = t76 - r32[t];
+                    let t99 = r33[t] + t81;
+                    let t100 = 0.8610656449999997
+                        * A::fma(t99, t99, A::fma(t98, t98, A::fma(t97, t97, t96)));
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q1 = A::angle(s1, c1);
-                    let t100 = A::angle(-t61, c3);
+                    let t101 = A::angle(-t62, c3);
                     let q5 = A::angle(s5, c5);
                     let q6 = A::angle(s6, c6);
                     s1_[k][t] = s1;
                     c1_[k][t] = c1;
-                    t41_[k][t] = t41;
+                    t42_[k][t] = t42;
                     s234_[k][t] = s234;
                     c234_[k][t] = c234;
-                    t58_[k][t] = t58;
-                    t61_[k][t] = t61;
+                    t59_[k][t] = t59;
                     t62_[k][t] = t62;
+                    t63_[k][t] = t63;
                     level_[k][t] = level;
                     no_root_[k][t] = no_root;
-                    t66_[k][t] = t66;
                     t67_[k][t] = t67;
                     t68_[k][t] = t68;
                     t69_[k][t] = t69;
                     t70_[k][t] = t70;
                     t71_[k][t] = t71;
-                    singular_[k][t] = singular;
                     t72_[k][t] = t72;
-                    t84_[k][t] = t84;
+                    singular_[k][t] = singular;
+                    t73_[k][t] = t73;
                     t85_[k][t] = t85;
-                    t87_[k][t] = t87;
+                    t86_[k][t] = t86;
                     t88_[k][t] = t88;
-                    t99_[k][t] = t99;
-                    q1_[k][t] = q1;
+                    t89_[k][t] = t89;
                     t100_[k][t] = t100;
+                    q1_[k][t] = q1;
+                    t101_[k][t] = t101;
                     q5_[k][t] = q5;
                     q6_[k][t] = q6;
                 }
             }
             // From 4 lanes to 8: lane k goes on from lane k modulo 4
             widen!(
-                s1_, c1_, t41_, s234_, c234_, t58_, t61_, t62_, level_, no_root_, t66_,
-                t67_, t68_, t69_, t70_, t71_, singular_, t72_, t84_, t85_, t87_, t88_,
-                t99_, q1_, t100_, q5_, q6_ from 4 to 8 of T
+                s1_, c1_, t42_, s234_, c234_, t59_, t62_, t63_, level_, no_root_, t67_,
+                t68_, t69_, t70_, t71_, t72_, singular_, t73_, t85_, t86_, t88_, t89_,
+                t100_, q1_, t101_, q5_, q6_ from 4 to 8 of T
             );
             // 8 lanes, by the signs of the roots: e3 of step 4
             let e3 = [1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0];
@@ -1088,50 +1091,50 @@ mod __Ur5e {
             for k in 0..8 {
                 for t in 0..T {
                     // 4. q3 by SP3, given q6
-                    let invalid = math::max(t41_[k][t], e3[k] * t58_[k][t]);
+                    let invalid = math::max(t42_[k][t], e3[k] * t59_[k][t]);
                     // 5. q2 by SP1, given q1, q3 and q6
                     let s2 = math::select(
-                        t70_[k][t] < t71_[k][t],
+                        t71_[k][t] < t72_[k][t],
                         t3,
-                        -(A::fma(e3[k], t68_[k][t], t69_[k][t]) * t72_[k][t]),
+                        -(A::fma(e3[k], t69_[k][t], t70_[k][t]) * t73_[k][t]),
                     );
                     let c2 = math::select(
-                        t70_[k][t] < t71_[k][t],
+                        t71_[k][t] < t72_[k][t],
                         t6,
-                        A::fma(e3[k], t66_[k][t], -t67_[k][t]) * t72_[k][t],
+                        A::fma(e3[k], t67_[k][t], -t68_[k][t]) * t73_[k][t],
                     );
                     // 6. q4 as the rest of the sum, given q2+q3+q4, q2 and q3
-                    let t101 = A::fma(s234_[k][t], c2, -(c234_[k][t] * s2));
-                    let t102 = A::fma(c234_[k][t], c2, s234_[k][t] * s2);
+                    let t102 = A::fma(s234_[k][t], c2, -(c234_[k][t] * s2));
+                    let t103 = A::fma(c234_[k][t], c2, s234_[k][t] * s2);
                     // Residual: forward kinematics against the target
-                    let t103 = A::fma(
-                        0.3922,
-                        A::fma(t62_[k][t], s2, e3[k] * (t61_[k][t] * c2)),
-                        -(0.425 * s2),
-                    ) - t84_[k][t];
                     let t104 = A::fma(
+                        0.3922,
+                        A::fma(t63_[k][t], s2, e3[k] * (t62_[k][t] * c2)),
+                        -(0.425 * s2),
+                    ) - t85_[k][t];
+                    let t105 = A::fma(
                         0.425,
                         c2,
-                        0.3922 * A::fma(e3[k], t61_[k][t] * s2, -(t62_[k][t] * c2)),
-                    ) + t85_[k][t];
-                    let t105 = px[t] + A::fma(c1_[k][t], t104, t88_[k][t]);
-                    let t106 = A::fma(-s1_[k][t], t104, t87_[k][t]) - py[t];
-                    let t107 = t103 + 0.1625 - pz[t];
+                        0.3922 * A::fma(e3[k], t62_[k][t] * s2, -(t63_[k][t] * c2)),
+                    ) + t86_[k][t];
+                    let t106 = px[t] + A::fma(c1_[k][t], t105, t89_[k][t]);
+                    let t107 = A::fma(-s1_[k][t], t105, t88_[k][t]) - py[t];
+                    let t108 = t104 + 0.1625 - pz[t];
                     let residual = math::sqrt(
-                        t33_[t] + A::fma(t107, t107, A::fma(t105, t105, t106 * t106))
-                            + t99_[k][t],
+                        t34_[t] + A::fma(t108, t108, A::fma(t106, t106, t107 * t107))
+                            + t100_[k][t],
                     );
                     // Joint values: angles from sines and cosines, in (−π, π]
                     let q2 = A::angle(s2, c2);
-                    let t108 = e3[k] * t100_[k][t];
+                    let t109 = e3[k] * t101_[k][t];
                     let q3 = math::select(
-                        -3.141592653589793 < t108,
-                        t108,
-                        t108 + 6.283185307179586,
+                        -3.141592653589793 < t109,
+                        t109,
+                        t109 + 6.283185307179586,
                     );
                     let q4 = A::angle(
-                        A::fma(e3[k], t61_[k][t] * t102, -(t62_[k][t] * t101)),
-                        -A::fma(t62_[k][t], t102, e3[k] * (t61_[k][t] * t101)),
+                        A::fma(e3[k], t62_[k][t] * t103, -(t63_[k][t] * t102)),
+                        -A::fma(t63_[k][t], t103, e3[k] * (t62_[k][t] * t102)),
                     );
                     invalid_[k][t] = invalid;
                     residual_[k][t] = residual;

@@ -4,7 +4,8 @@ use super::ClosedForm;
 use crate::expr::Lanes;
 use crate::expr::inverse::InverseGraph;
 use crate::scalar::Scalar;
-use kin_runtime::__private::free_joint::{FreeJoint, Levels, Room, all_round};
+use kin_runtime::__private::Completion;
+use kin_runtime::__private::free_joint::{ELSEWHERE, FreeJoint, Levels, Room, all_round};
 use kin_runtime::{Pose, Solution, Solutions};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -78,10 +79,64 @@ impl ClosedForm {
                     joints: at.inverse.q.len(),
                     of: Of::Several(&lanes, place),
                 };
-                let branches = at.all_solutions(&values);
-                answer(self.sorted(at.target, at.parameters, None, &branches));
+                let sorted = |branches: &[_]| self.sorted(at.target, at.parameters, None, branches);
+                answer(self.led_to(at, &values, sorted));
             }
         }
+    }
+
+    /// The solutions of a target that is solved by expressions, `sorted` from its branches; see
+    /// [`kin_runtime::__private::solve_given`].
+    pub(super) fn solved_by_branches<const N: usize>(
+        &self,
+        target: &Pose,
+        parameters: &[f64],
+        seed: &[f64; N],
+        sorted: impl Fn(&[(bool, Solution<N>)]) -> Solutions<N>,
+    ) -> Solutions<N> {
+        match self.question(target, parameters, seed) {
+            None => sorted(&[]),
+            Some(at) => {
+                let values = at.evaluate(self.tolerances().free_below);
+                self.led_to(&at, &values, sorted)
+            }
+        }
+    }
+
+    fn led_to<const N: usize>(
+        &self,
+        at: &Question,
+        values: &Values,
+        sorted: impl Fn(&[(bool, Solution<N>)]) -> Solutions<N>,
+    ) -> Solutions<N> {
+        let mut solutions = sorted(&at.all_solutions(values));
+        if !self.is_in_lanes() || self.completion() != Completion::Never {
+            return solutions;
+        }
+        let add = |solutions: &mut Solutions<N>, mut branches: Vec<(bool, Solution<N>)>| {
+            for known in &*solutions {
+                branches[known.branch as usize].0 = false;
+            }
+            for solution in &sorted(&branches) {
+                solutions.insert_distinct(*solution);
+            }
+        };
+        let as_told = at.as_told(values);
+        let nearly = self.acceptance().nearly;
+        let begins = |(exists, branch): &&(bool, Solution<N>)| *exists && branch.residual <= nearly;
+        let begin = as_told.iter().filter(begins).count();
+        if at.moves(values) {
+            add(&mut solutions, as_told);
+        }
+        for turn in ELSEWHERE {
+            if solutions.len() < begin {
+                let seed = at.seed.iter().map(|x| finite(*x) + turn);
+                let values =
+                    at.evaluate_at(&seed.collect::<Vec<_>>(), self.tolerances().nearly_free);
+                add(&mut solutions, at.as_told(&values));
+            }
+        }
+        solutions
     }
 
     /// How many targets are best solved side by side: where refinement or an elimination takes
@@ -207,12 +262,16 @@ impl Values<'_> {
     }
 }
 
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
 /// What expressions are computed from; joints without a seed are at 0.
 pub(super) fn inputs(target: &Pose, seed: &[f64], parameters: &[f64], free_below: f64) -> Vec<f64> {
     let mut inputs: Vec<f64> = Vec::with_capacity(24);
     inputs.extend(target.rotation.iter().flatten());
     inputs.extend(target.translation);
-    inputs.extend(seed.iter().map(|x| if x.is_finite() { *x } else { 0.0 }));
+    inputs.extend(seed.iter().copied().map(finite));
     inputs.extend(parameters);
     inputs.push(free_below);
     inputs
@@ -239,7 +298,15 @@ impl<'a> Question<'a> {
     /// Whether a branch exists, and what it is.
     fn solution<const N: usize>(&self, values: &Values, branch: u32) -> (bool, Solution<N>) {
         let moved = self.moved(values, branch, self.seed, 0);
-        let values = moved.as_deref().unwrap_or(values);
+        self.solution_as_told(moved.as_deref().unwrap_or(values), branch)
+    }
+
+    /// The same where the seed leaves free joints.
+    fn solution_as_told<const N: usize>(
+        &self,
+        values: &Values,
+        branch: u32,
+    ) -> (bool, Solution<N>) {
         let solution = Solution {
             q: std::array::from_fn(|i| values.joint(i, branch)),
             residual: values.at(RESIDUAL, branch),
@@ -253,6 +320,19 @@ impl<'a> Question<'a> {
         (0..self.branches)
             .map(|it| self.solution(values, it))
             .collect()
+    }
+
+    fn as_told<const N: usize>(&self, values: &Values) -> Vec<(bool, Solution<N>)> {
+        let branches = 0..self.branches;
+        branches
+            .map(|it| self.solution_as_told(values, it))
+            .collect()
+    }
+
+    /// Whether joints that are free move.
+    fn moves(&self, values: &Values) -> bool {
+        let joints = self.inverse.free_joints.len();
+        (0..self.branches).any(|branch| values.leaves_none(0..joints, branch))
     }
 
     /// The values with joints moved, from the `first` one, that are free and leave a later root of
@@ -303,8 +383,7 @@ impl<'a> Question<'a> {
         let mut seed = seed.to_vec();
         let FreeJoint { coordinate, slide } = self.inverse.free_joints[joint].joint();
         let from = &mut seed[coordinate];
-        // As in `inputs`.
-        *from = slide.unwrap_or(1.0) * turn + if from.is_finite() { *from } else { 0.0 };
+        *from = slide.unwrap_or(1.0) * turn + finite(*from);
         let bits = seed.iter().map(|x| x.to_bits()).collect();
         let nearly_free = self.scalar.tolerances().nearly_free;
         let computed = || Rc::new(self.evaluate_at(&seed, nearly_free));

@@ -257,8 +257,8 @@ impl ClosedForm {
         parameters: &[f64],
         seed: Option<&[f64; N]>,
     ) -> Solutions<N> {
-        let branches = self.all_branches::<N>(target, parameters, seed.unwrap_or(&[0.0; N]));
-        self.sorted(target, parameters, seed, &branches)
+        let sorted = |branches: &[_]| self.sorted(target, parameters, seed, branches);
+        self.solved_by_branches(target, parameters, seed.unwrap_or(&[0.0; N]), sorted)
     }
 
     /// The solutions, from all branches of the plan.
@@ -446,8 +446,9 @@ impl ClosedForm {
             links: |q: &[f64; 7]| swivel.links(&twists, q),
             fk_jacobian: |q: &[f64; 7]| self.given.fk_jacobian(q, &[]),
         };
-        let branches = self.branches::<7>(target, parameters, seed);
-        arm.corrected(target, branches.into_iter(), seed, &self.acceptance())
+        let accept = self.acceptance();
+        let corrected = |branches: &[_]| arm.corrected(target, existing(branches), seed, &accept);
+        self.solved_by_branches(target, parameters, seed, corrected)
     }
 
     /// Below this conditioning of the Jacobian solutions may be lost, 0 if none

@@ -122,6 +122,22 @@ impl<const N: usize, const L: usize> Branches<N, L> {
         singular
     }
 
+    /// Without those that have led to some of these solutions.
+    pub(super) fn without<const K: usize>(mut self, solutions: &Solutions<K>) -> Self {
+        for solution in solutions {
+            if let Some(invalid) = self.invalid.get_mut(solution.branch as usize) {
+                *invalid = 1.0;
+            }
+        }
+        self
+    }
+
+    /// How many exist that reach the target or nearly do.
+    pub(super) fn begin(&self, accept: &Acceptance) -> usize {
+        let begins = |&k: &usize| (self.invalid[k] <= 0.0) & (self.residual[k] <= accept.nearly);
+        (0..L).filter(begins).count()
+    }
+
     /// Whether solutions are sought from a branch: if it exists or reaches the target.
     #[inline(always)]
     pub(super) fn begins(&self, k: usize, accept: &Acceptance) -> bool {

@@ -197,6 +197,10 @@ const HALVINGS: usize = 5;
 /// least.
 const PARABOLAS: [Real; 4] = [1e-2, 1e-3, 1e-4, 2e-5];
 
+/// Where branches lead to fewer solutions than there are of them, joints that are free turn by this,
+/// radians: neither one of them, nor two or three together, by nearly a multiple of a quarter turn.
+pub const ELSEWHERE: [Real; 2] = [0.65, 1.9];
+
 /// Between turns all round, radians.
 const STEP: Real = 2.0 * PI / TURNS as Real;
 

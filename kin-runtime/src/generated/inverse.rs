@@ -7,7 +7,7 @@ use super::acceptance::{Acceptance, Completion};
 use super::arithmetic::{Arithmetic, Fused};
 use super::branches::Branches;
 use super::dispatch::{Dispatched, dispatch};
-use super::free_joint::{FREE_BELOW, FreeJoint, FreeJoints, Moving};
+use super::free_joint::{ELSEWHERE, FREE_BELOW, FreeJoint, FreeJoints, Moving, NEARLY_FREE};
 use super::refinement::is_next_to;
 use super::sin_cos::{Known, SinCos};
 use core::marker::PhantomData;
@@ -237,6 +237,42 @@ where
             .expect("nothing but the branches is asked for")
     }
 
+    /// What branches lead to. The angle of a vector that is nearly nothing may be given up for one that
+    /// leaves later steps a root, or be the one that the target asks for. And where a free joint is at
+    /// right angles to what the target is off, no step of Newton's method tells that it has to turn.
+    #[cold]
+    #[inline(never)]
+    fn led_to<const K: usize>(
+        &self,
+        found: Found<N, L, F>,
+        otherwise: impl Fn(Branches<N, L>) -> Solutions<K>,
+    ) -> Solutions<K> {
+        let mut solutions = otherwise(self.with_root(found));
+        if R::COMPLETION != Completion::Never || R::ACCEPT.is_of_design() {
+            return solutions; // An elimination tells the others.
+        }
+        let (as_told, free) = found;
+        let add = |solutions: &mut Solutions<K>, branches: Branches<N, L>| {
+            for solution in &otherwise(branches.without(solutions)) {
+                solutions.insert_distinct(*solution);
+            }
+        };
+        if F > 0 && free.leave_no_root() {
+            add(&mut solutions, as_told);
+        }
+        let begin = as_told.begin(&R::ACCEPT);
+        for turn in ELSEWHERE {
+            if solutions.len() < begin {
+                let seed = self.seed.map(|x| x + turn);
+                let turned = Given::<R, N, L, P, M, F>::new(self.pose, &seed, self.locked);
+                let free = NEARLY_FREE;
+                let (branches, _) = Given { free, ..turned }.branches();
+                add(&mut solutions, branches);
+            }
+        }
+        solutions
+    }
+
     /// The branches, where the seed's value of a free joint leaves a later step no root with that
     /// joint moved to where it leaves one.
     #[inline(always)]
@@ -270,7 +306,7 @@ where
         seed: &[Real; N],
         motion: &Motion<'_, N>,
         missed: impl FnOnce(&[Real; N]) -> Real,
-        otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+        otherwise: impl Fn(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
         let mut solution = None;
         let found = self.ask(Asked::Nearest(motion, &mut solution));
@@ -290,10 +326,11 @@ where
         nearest: &Nearest<N>,
         seed: &[Real; N],
         found: Option<Found<N, L, F>>,
-        otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+        otherwise: impl Fn(Branches<N, L>) -> Solutions<N>,
     ) -> Option<Solution<N>> {
         let found = found.unwrap_or_else(|| self.branches());
-        otherwise(self.with_root(found)).nearest_by(&nearest.from_seed(*seed))
+        self.led_to(found, otherwise)
+            .nearest_by(&nearest.from_seed(*seed))
     }
 }
 
@@ -349,7 +386,7 @@ pub fn solve<R, const N: usize, const L: usize, const P: usize, const M: usize, 
     _: &R,
     pose: &Pose,
     locked: &[Real; P],
-    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+    otherwise: impl Fn(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
 where
     R: Inverse<N, L, P, M, F>,
@@ -358,7 +395,7 @@ where
     let given = Given::<R, N, L, P, M, F>::new(pose, &[0.0; N], locked);
     Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
         if let Some(found) = given.ask(Asked::Solutions(solutions)) {
-            *solutions = otherwise(given.with_root(found));
+            *solutions = given.led_to(found, otherwise);
         }
     })
 }
@@ -377,7 +414,7 @@ pub fn solve_seeded<
     pose: &Pose,
     seed: &[Real; N],
     locked: &[Real; P],
-    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+    otherwise: impl Fn(Branches<N, L>) -> Solutions<N>,
 ) -> Solutions<N>
 where
     R: Inverse<N, L, P, M, F>,
@@ -385,9 +422,33 @@ where
     let given = Given::<R, N, L, P, M, F>::new(pose, seed, locked);
     Solutions::build_with_prismatic(R::ACCEPT.prismatic, |solutions| {
         if let Some(found) = given.ask(Asked::Regular(solutions)) {
-            *solutions = otherwise(given.with_root(found));
+            *solutions = given.led_to(found, otherwise);
         }
     })
+}
+
+/// The same of what may have joints that are given beside the target; `otherwise` is always asked.
+#[inline]
+pub fn solve_given<
+    R,
+    const N: usize,
+    const L: usize,
+    const P: usize,
+    const M: usize,
+    const F: usize,
+    const K: usize,
+>(
+    _: &R,
+    pose: &Pose,
+    seed: &[Real; N],
+    given: &[Real; P],
+    otherwise: impl Fn(Branches<N, L>) -> Solutions<K>,
+) -> Solutions<K>
+where
+    R: Inverse<N, L, P, M, F>,
+{
+    let given = Given::<R, N, L, P, M, F>::new(pose, seed, given);
+    given.led_to(given.branches(), otherwise)
 }
 
 /// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as
@@ -411,7 +472,7 @@ pub fn solve_nearest<
     nearest: &Nearest<N>,
     seed: &[Real; N],
     missed: impl FnOnce(&[Real; N]) -> Real,
-    otherwise: impl FnOnce(Branches<N, L>) -> Solutions<N>,
+    otherwise: impl Fn(Branches<N, L>) -> Solutions<N>,
 ) -> Option<Solution<N>>
 where
     R: Inverse<N, L, P, M, F>,

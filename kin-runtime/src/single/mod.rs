@@ -64,7 +64,9 @@ pub mod __private {
         BodyJacobian, Forward, GeometricJacobian, SpatialJacobian, evaluate,
     };
     pub use super::generated::free_joint::{self, FREE_BELOW, FreeJoint};
-    pub use super::generated::inverse::{Inverse, Lanes, solve, solve_nearest, solve_seeded};
+    pub use super::generated::inverse::{
+        Inverse, Lanes, solve, solve_given, solve_nearest, solve_seeded,
+    };
     pub use super::generated::lanes;
     pub use super::generated::locked::Locked;
     pub use super::generated::refinement::{self, AtSwivel};

@@ -163,7 +163,8 @@ impl<const N: usize> Solutions<N> {
     /// The place of a solution, which is appended unless one is the same to
     /// within [`SAME`]: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.
-    pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
+    #[doc(hidden)]
+    pub fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
         let Some(known) = self.place_of(&solution.q) else {
             let place = self.len;
             self.push_if(true, solution);

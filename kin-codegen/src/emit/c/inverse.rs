@@ -184,21 +184,24 @@ fn whole(model: &Model, solver: &ClosedForm) -> String {
 
 /// The lanes, with joints that are free moved where their own values leave a later root none.
 fn branches(inverse: &InverseGraph) -> String {
-    // A joint without a seed takes no part in a choice.
-    let heading = "static void kin_compute_branches(\n    const double target[12], \
+    let heading = "/* The seed with its joints turned; one without a seed takes no part in a choice. */\n\
+                   static void kin_turn_seed(\n    const double from[KIN_SOLVED], double turn, \
+                   double seed[KIN_SOLVED])\n{\n    for (int i = 0; i < KIN_SOLVED; ++i) {\n        \
+                   seed[i] = (fabs(from[i]) < HUGE_VAL ? from[i] : 0.0) + turn;\n    }\n}\n\n\
+                   /* The lanes, and whether joints that are free have moved in some of them. */\n\
+                   static int kin_compute_branches(\n    const double target[12], \
                    const double from[KIN_SOLVED], const double *given, kin_lanes *lanes)\n{\n    \
-                   double seed[KIN_SOLVED];\n    for (int i = 0; i < KIN_SOLVED; ++i) {\n        \
-                   seed[i] = fabs(from[i]) < HUGE_VAL ? from[i] : 0.0;\n    }\n    \
-                   kin_compute_lanes(target, seed, given, 1e-24, lanes);\n";
+                   double seed[KIN_SOLVED];\n    kin_turn_seed(from, 0.0, seed);\n    \
+                   kin_compute_lanes(target, seed, given, 1e-22, lanes);\n";
     if inverse.free_joints.is_empty() {
-        return format!("{heading}}}\n");
+        return format!("{heading}    return 0;\n}}\n");
     }
     format!(
         "{}\n{heading}    for (int i = 0; i < KIN_FREE; ++i) {{\n        \
          for (int k = 0; k < KIN_BRANCHES; ++k) {{\n            \
          if (lanes->no_root[i][k] > 0.0) {{\n                \
          kin_move_free_joints(target, seed, given, lanes, 0, -1, lanes);\n                \
-         return;\n            }}\n        }}\n    }}\n}}\n",
+         return 1;\n            }}\n        }}\n    }}\n    return 0;\n}}\n",
         runtime::MOVING
     )
 }
@@ -278,21 +281,40 @@ fn solve(solver: &ClosedForm, refined: &str) -> String {
              nearly = 1;\n        }",
         ),
     };
-    format!(
-        "/* The branches that reach their target, the others corrected. */\n\
-         static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
-         const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
-         int count = 0;\n{mark}{flag}    kin_compute_branches(target, seed, given, &lanes);\n\
-         {degenerate}    \
-         for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
+    let reaching = format!(
+        "for (int k = 0; k < KIN_BRANCHES; ++k) {{\n        \
          if (lanes.invalid[k] <= 0.0 && lanes.residual[k] <= KIN_TAKEN) {{\n            \
          double q[KIN_SOLVED];\n            \
          for (int i = 0; i < KIN_SOLVED; ++i) {{\n                q[i] = lanes.q[i][k];\n            }}\n            \
          kin_whole(q, given, solutions[count].q);\n            \
          solutions[count].residual = lanes.residual[k];\n            \
          solutions[count].branch = k;\n            \
-         solutions[count].singular = lanes.singular[k] > 0.0;\n{singular}            ++count;\n        }}{marked}\n    }}\n\
-         {corrected}{unanswered}    return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
+         solutions[count].singular = lanes.singular[k] > 0.0;\n{singular}            ++count;\n        }}{marked}\n    }}\n{corrected}"
+    );
+    if solver.completion() == Completion::Never && solver.is_exact() {
+        let unread = match corrected {
+            "" => "    (void)target;\n    (void)seed;\n",
+            _ => "",
+        };
+        // Of lanes that are another function's.
+        let reaching = reaching
+            .replace("lanes.", "lanes->")
+            .replace("&lanes", "lanes");
+        return format!(
+            "/* The branches that reach their target, the others corrected. */\n\
+             static int kin_reaching(\n    const kin_lanes *lanes, const double target[12], \
+             const double seed[KIN_SOLVED],\n    const double *given, kin_solution *solutions)\n{{\n    \
+             int count = 0;\n{mark}{unread}    {reaching}    return count;\n}}\n\n{}",
+            runtime::LED_TO
+        );
+    }
+    format!(
+        "/* The branches that reach their target, the others corrected. */\n\
+         static int kin_solve(\n    const double target[12], const double seed[KIN_SOLVED], \
+         const double *given,\n    kin_solution *solutions)\n{{\n    kin_lanes lanes;\n    \
+         int count = 0;\n{mark}{flag}    kin_compute_branches(target, seed, given, &lanes);\n\
+         {degenerate}    {reaching}{unanswered}    \
+         return count > 0 ? count : kin_why_none(&kin_own_metric, target);\n}}\n"
     )
 }
 

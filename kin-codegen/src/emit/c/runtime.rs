@@ -35,6 +35,8 @@ pub const INSERT: &str = include_str!("runtime/insert.c");
 pub const CORRECTED: &str = include_str!("runtime/corrected.c");
 /// All of them, behind this or [`SWIVELLED`].
 pub const ADD_CORRECTED: &str = include_str!("runtime/add_corrected.c");
+/// The solutions, behind the branches that reach the target; as in `generated/inverse.rs`.
+pub const LED_TO: &str = include_str!("runtime/led_to.c");
 /// The swivel angle.
 pub const SWIVEL: &str = include_str!("runtime/swivel.c");
 /// The half plane in which a swivel angle has the elbow.

@@ -29,7 +29,7 @@ const PUBLIC: [&str; 20] = [
 ];
 
 /// What is there for generated code alone.
-const PRIVATE: [&str; 32] = [
+const PRIVATE: [&str; 33] = [
     "Acceptance",
     "Arithmetic",
     "AtSwivel",
@@ -57,6 +57,7 @@ const PRIVATE: [&str; 32] = [
     "lanes",
     "math",
     "solve",
+    "solve_given",
     "solve_nearest",
     "solve_seeded",
     "three_spheres",

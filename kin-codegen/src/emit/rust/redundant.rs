@@ -25,7 +25,7 @@ pub fn methods(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> T
     let private = match &solver.inverse {
         Inverse::Expressions(_) => {
             let accept = inverse::acceptance(solver);
-            let branches = inverse::branches(solver);
+            let branches = (!solver.is_in_lanes()).then(|| inverse::branches(solver));
             quote! {
                 #accept
                 #branches
@@ -217,13 +217,21 @@ fn solve(model: &Model, solver: &ClosedForm, redundancy: &Redundancy) -> [TokenS
                 Some(angle) => at_swivel(angle),
                 None => sorted(solver, &given, &seed),
             };
-            let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
+            let solved = match solver.is_in_lanes() {
+                true => {
+                    quote!(solve_given(self, pose, #seed, &[#(#given),*], |branches| { #sorted }))
+                }
+                false => {
+                    let given = (seen > 0).then(|| quote!(, &[#(#given),*]));
+                    quote! {
+                        let branches = self.branches(pose, #seed #given);
+                        #sorted
+                    }
+                }
+            };
             [
                 quote!(self.ik_seeded_at(pose, #name, &[0.0; #n])),
-                answer(quote! {
-                    let branches = self.branches(pose, #seed #given);
-                    #sorted
-                }),
+                answer(solved),
             ]
         }
     }

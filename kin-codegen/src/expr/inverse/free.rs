@@ -124,6 +124,9 @@ impl Writer<'_> {
         let least = self.scaled(-self.tolerances.noise, level.amplitude);
         let none = self.g.select_less(level.discriminant, least, one, zero);
         let threshold = self.scaled(self.tolerances.nearly_free, free.scale);
+        let threshold = free
+            .nothing
+            .map_or(threshold, |nothing| self.g.max(threshold, nothing));
         let no_root = self.g.select_less(free.factor, threshold, none, zero);
         Some(FreeJoint {
             turn: Turn {

@@ -156,6 +156,8 @@ struct StepState {
     /// Vectors shorter than this, squared and relative to their scale, leave the
     /// joint of the step at hand free.
     free: Expr,
+    /// Whether earlier roots raise that.
+    is_told_by_roots: bool,
     /// The unknowns of the step just written that may be free.
     may_be_free: Vec<MayBeFree>,
     /// The cosine-sine equation of the step just written, where its root can
@@ -171,6 +173,9 @@ struct MayBeFree {
     unknown: Atom,
     factor: Expr,
     scale: Expr,
+    /// Below this the factor is nothing, and the joint is where the seed is, if that can be more than
+    /// what is nearly free.
+    nothing: Option<Expr>,
 }
 
 /// The root of a cosine-sine equation is real where d² ≤ a² + b².
@@ -235,6 +240,7 @@ impl<'a> Writer<'a> {
             residual_share: 1.0,
             step: StepState {
                 free: zero,
+                is_told_by_roots: false,
                 may_be_free: Vec::new(),
                 level: None,
                 relation: None,
@@ -416,11 +422,12 @@ impl<'a> Writer<'a> {
             let begins = self.g.nodes().len();
             self.step.level = None;
             let turns = free.moves_step(i);
-            self.step.free = match turns {
+            let given = match turns {
                 true => *threshold.get_or_insert_with(|| self.threshold()),
                 false => self.g.constant(self.tolerances.free_below),
             };
-            self.step.free = self.as_told_by_roots(self.step.free);
+            self.step.free = self.as_told_by_roots(given);
+            self.step.is_told_by_roots = self.step.free != given;
             self.write(step);
             for (step, joint) in &may_be_free {
                 let said = self.said_of(*step, *joint, i, plan);

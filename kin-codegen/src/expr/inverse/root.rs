@@ -330,13 +330,14 @@ impl Writer<'_> {
     /// and returns below what it does. As a share of `scale` the factor is the square of the sine
     /// that tells the angle.
     pub(super) fn flag_free(&mut self, unknowns: &[Atom], factor: Expr, scale: Expr) -> Expr {
+        let nothing = self.free_below(scale);
         let free = unknowns.iter().map(|&unknown| MayBeFree {
             unknown,
             factor,
             scale,
+            nothing: self.step.is_told_by_roots.then_some(nothing),
         });
         self.step.may_be_free.extend(free);
-        let nothing = self.free_below(scale);
         if !self.doubt(factor, scale, nothing) {
             let flagged_below = match self.flags_badly_told {
                 true => self.scaled(self.tolerances.badly_told, scale),

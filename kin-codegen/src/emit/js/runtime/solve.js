@@ -165,11 +165,17 @@ const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
     }
 };
 
+/* The seed with its joints turned. One without a seed takes no part in a choice, and what of it is free is
+ * at 0. */
+const $seed_turned = (from, turn) => from.map((x) => (Math.abs(x) < Infinity ? x : 0.0) + turn);
+
+/* The lanes with joints that are free where the seed is. */
+const $as_told = (form, target, from, given) => form.lanes(target, $seed_turned(from, 0.0), given, 1e-22);
+
 /* The lanes, with joints that are free moved where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
-    /* A joint without a seed takes no part in a choice, and what of it is free is at 0. */
-    const seed = from.map((x) => (Math.abs(x) < Infinity ? x : 0.0));
-    const lanes = form.lanes(target, seed, given, 1e-24);
+    const seed = $seed_turned(from, 0.0);
+    const lanes = $as_told(form, target, from, given);
     const run = (seed) => form.lanes(target, seed, given, 1e-16);
     const open = Array.from({ length: form.branches }, (_, k) => k);
     $move_free_joints(form, run, seed, lanes, 0, open, lanes);
@@ -291,6 +297,38 @@ const $reaching = (arm, target, given, seed, lanes) => {
     return solutions;
 };
 
-/* The solutions of a target by the branches of a plan. */
-const $solve = (arm, target, seed, given) =>
-    $reaching(arm, target, given, seed, $branches(arm.form, target, seed, given));
+/* The solutions of a target by the branches of a plan. The angle of a vector that is nearly nothing may be
+ * given up for one that leaves later steps a root, or be the one that the target asks for. And where a free
+ * joint is at right angles to what the target is off, no step of Newton's method tells that it has to turn:
+ * neither one of the turns, nor two or three of them together, is nearly a multiple of a quarter turn. */
+const $solve = (arm, target, seed, given) => {
+    const { form } = arm;
+    const as_told = $as_told(form, target, seed, given);
+    const moves = form.free_joints.some((_, i) => as_told.no_root[i].some((none) => none > 0.0));
+    const branches = moves ? $branches(form, target, seed, given) : as_told;
+    const solutions = $reaching(arm, target, given, seed, branches);
+    if (form.taken < 0.0) {
+        return solutions;
+    }
+    const each = Array.from({ length: form.branches }, (_, k) => k);
+    const begins = (k) => as_told.invalid[k] <= 0.0 && as_told.residual[k] <= form.nearly;
+    const begin = each.filter(begins).length;
+    /* Of those that have led to none yet. */
+    const add = (lanes) => {
+        for (const { branch } of solutions) {
+            lanes.invalid[branch] = 1.0;
+        }
+        for (const found of $reaching(arm, target, given, seed, lanes)) {
+            $insert(arm, found, solutions);
+        }
+    };
+    if (moves) {
+        add(as_told);
+    }
+    for (const turn of [0.65, 1.9]) {
+        if (solutions.length < begin) {
+            add(form.lanes(target, $seed_turned(seed, turn), given, 1e-16));
+        }
+    }
+    return solutions;
+};
