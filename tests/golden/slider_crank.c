@@ -1171,7 +1171,9 @@ static int slider_crank_chain0_add_led_to(
     }
     found = slider_crank_chain0_reaching(lanes, target, seed, given, more);
     for (int k = 0; k < found; ++k) {
-        count = slider_crank_chain0_insert(&more[k], solutions, count);
+        if (slider_crank_chain0_known_place(more[k].q, solutions, count) < 0) {
+            count = slider_crank_chain0_insert(&more[k], solutions, count);
+        }
     }
     return count;
 }
@@ -1732,7 +1734,9 @@ static int slider_crank_chain1_add_led_to(
     }
     found = slider_crank_chain1_reaching(lanes, target, seed, given, more);
     for (int k = 0; k < found; ++k) {
-        count = slider_crank_chain1_insert(&more[k], solutions, count);
+        if (slider_crank_chain1_known_place(more[k].q, solutions, count) < 0) {
+            count = slider_crank_chain1_insert(&more[k], solutions, count);
+        }
     }
     return count;
 }
@@ -2318,7 +2322,9 @@ static int slider_crank_passive_add_led_to(
     }
     found = slider_crank_passive_reaching(lanes, target, seed, given, more);
     for (int k = 0; k < found; ++k) {
-        count = slider_crank_passive_insert(&more[k], solutions, count);
+        if (slider_crank_passive_known_place(more[k].q, solutions, count) < 0) {
+            count = slider_crank_passive_insert(&more[k], solutions, count);
+        }
     }
     return count;
 }

@@ -1825,7 +1825,9 @@ static int ur5e_add_led_to(
     }
     found = ur5e_reaching(lanes, target, seed, given, more);
     for (int k = 0; k < found; ++k) {
-        count = ur5e_insert(&more[k], solutions, count);
+        if (ur5e_known_place(more[k].q, solutions, count) < 0) {
+            count = ur5e_insert(&more[k], solutions, count);
+        }
     }
     return count;
 }

@@ -593,14 +593,14 @@ const $move_free_joints = (form, run, seed, said, first, open, lanes) => {
 
 /* The seed with its joints turned. One without a seed takes no part in a choice, and what of it is free is
  * at 0. */
-const $turned = (from, turn) => from.map((x) => (Math.abs(x) < Infinity ? x : 0.0) + turn);
+const $seed_turned = (from, turn) => from.map((x) => (Math.abs(x) < Infinity ? x : 0.0) + turn);
 
 /* The lanes with joints that are free where the seed is. */
-const $as_told = (form, target, from, given) => form.lanes(target, $turned(from, 0.0), given, 1e-22);
+const $as_told = (form, target, from, given) => form.lanes(target, $seed_turned(from, 0.0), given, 1e-22);
 
 /* The lanes, with joints that are free moved where their own values leave a later root none. */
 const $branches = (form, target, from, given) => {
-    const seed = $turned(from, 0.0);
+    const seed = $seed_turned(from, 0.0);
     const lanes = $as_told(form, target, from, given);
     const run = (seed) => form.lanes(target, seed, given, 1e-16);
     const open = Array.from({ length: form.branches }, (_, k) => k);
@@ -745,7 +745,9 @@ const $solve = (arm, target, seed, given) => {
             lanes.invalid[branch] = 1.0;
         }
         for (const found of $reaching(arm, target, given, seed, lanes)) {
-            $insert(arm, found, solutions);
+            if ($known_place(arm, found.q, solutions) < 0) {
+                $insert(arm, found, solutions);
+            }
         }
     };
     if (moves) {
@@ -753,7 +755,7 @@ const $solve = (arm, target, seed, given) => {
     }
     for (const turn of [0.65, 1.9]) {
         if (solutions.length < begin) {
-            add(form.lanes(target, $turned(seed, turn), given, 1e-16));
+            add(form.lanes(target, $seed_turned(seed, turn), given, 1e-16));
         }
     }
     return solutions;

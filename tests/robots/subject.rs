@@ -137,6 +137,19 @@ impl<K: Kinematics<N>, const N: usize> Subject<K, N> {
         angles.map(|angles: [f64; N]| std::array::from_fn(|i| self.place(i, angles[i])))
     }
 
+    /// Multiples of π/2 but for up to 1e-10 to 1e-6 in each joint: where steps are singular one next to
+    /// another.
+    pub fn nearly_structured(&self, count: usize) -> impl Iterator<Item = [f64; N]> {
+        let mut random = Random::new(19);
+        (0..count).map(move |_| {
+            let off = 10f64.powf(random.between(-10.0, -6.0));
+            std::array::from_fn(|i| {
+                let angle = random.right_angle() + off * random.between(-1.0, 1.0);
+                self.place(i, angle)
+            })
+        })
+    }
+
     /// A joint value from an angle; a full turn is all of a slide's travel.
     fn place(&self, i: usize, angle: f64) -> f64 {
         match self.travel[i] {

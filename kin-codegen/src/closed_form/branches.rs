@@ -118,7 +118,7 @@ impl ClosedForm {
                 branches[known.branch as usize].0 = false;
             }
             for solution in &sorted(&branches) {
-                solutions.insert_distinct(*solution);
+                solutions.insert_new(*solution);
             }
         };
         let as_told = at.as_told(values);

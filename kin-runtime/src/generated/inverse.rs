@@ -254,7 +254,7 @@ where
         let (as_told, free) = found;
         let add = |solutions: &mut Solutions<K>, branches: Branches<N, L>| {
             for solution in &otherwise(branches.without(solutions)) {
-                solutions.insert_distinct(*solution);
+                solutions.insert_new(*solution);
             }
         };
         if F > 0 && free.leave_no_root() {

@@ -163,8 +163,7 @@ impl<const N: usize> Solutions<N> {
     /// The place of a solution, which is appended unless one is the same to
     /// within [`SAME`]: branches that were refined may come together, and the
     /// better of the two is kept. None if it is new and there is no place left.
-    #[doc(hidden)]
-    pub fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
+    pub(crate) fn insert_distinct(&mut self, solution: Solution<N>) -> Option<usize> {
         let Some(known) = self.place_of(&solution.q) else {
             let place = self.len;
             self.push_if(true, solution);
@@ -175,6 +174,12 @@ impl<const N: usize> Solutions<N> {
             self.slots[known].write(Solution { branch, ..solution });
         }
         Some(known)
+    }
+
+    /// Appends a solution unless it is there already.
+    #[doc(hidden)]
+    pub fn insert_new(&mut self, solution: Solution<N>) {
+        self.push_if(self.place_of(&solution.q).is_none(), solution);
     }
 
     /// The place of a solution, to within [`SAME`].

@@ -10,7 +10,9 @@ static int kin_add_led_to(
     }
     found = kin_reaching(lanes, target, seed, given, more);
     for (int k = 0; k < found; ++k) {
-        count = kin_insert(&more[k], solutions, count);
+        if (kin_known_place(more[k].q, solutions, count) < 0) {
+            count = kin_insert(&more[k], solutions, count);
+        }
     }
     return count;
 }

@@ -319,7 +319,9 @@ const $solve = (arm, target, seed, given) => {
             lanes.invalid[branch] = 1.0;
         }
         for (const found of $reaching(arm, target, given, seed, lanes)) {
-            $insert(arm, found, solutions);
+            if ($known_place(arm, found.q, solutions) < 0) {
+                $insert(arm, found, solutions);
+            }
         }
     };
     if (moves) {
