@@ -36,7 +36,7 @@ pub fn nearly_structured_configurations_come_back<K: Kinematics<N>, const N: usi
 ) {
     const NEAR: f64 = 1e-2;
     const NEARLY_SINGULAR: f64 = 1e-9;
-    for q in robot.nearly_structured(4000) {
+    for q in robot.nearly_structured(20_000) {
         let answers = robot.ik(&robot.chain.fk(&q));
         let is_near = |other: &[f64; N]| robot.apart(other, &q) < NEAR;
         let stands_for_it = |other: &[f64; N]| robot.conditioning(other) < NEARLY_SINGULAR;
