@@ -2,7 +2,7 @@
 //! joints farther from their limits than with the parameter at rest.
 
 use crate::random::Random;
-use kinematics::{Follow, JointLimit, Pose, RedundantKinematics};
+use kinematics::{Follow, JointLimit, Nearest, Pose, RedundantKinematics};
 
 /// The parameter's rate in one step, and how far a joint may move.
 const RATE: f64 = 2e-3;
@@ -80,6 +80,71 @@ fn keeps_away_from_limits<K: RedundantKinematics<N>, const N: usize>(arm: &K) {
     }
     assert!(done > 10 && 10 * better >= 9 * done, "{better} of {done}");
     assert!(stuck <= 1, "{stuck} beside {done}");
+}
+
+/// Where `ik_follow` jumps, by a scan of the parameters in reach: how often it had to, and how often not.
+pub fn jumps<K: RedundantKinematics<N>, const N: usize>(
+    arm: &K,
+    random: &mut Random,
+    mut start: impl FnMut(&mut Random) -> [f64; N],
+) -> [usize; 2] {
+    const PATHS: usize = 60;
+    const SHORT: f64 = 2.5e-3;
+    let mut how = Follow::new(&K::LIMITS, SHORT);
+    how.step = [SHORT; N];
+    let mut counts = [0, 0];
+    for _ in 0..PATHS {
+        let mut q = start(random);
+        let home = arm.fk(&q);
+        let direction: [f64; 3] = random.unit_cube();
+        for i in 1..=400 {
+            let target = path(&home, direction, 0.5 * f64::from(i) / 400.0);
+            match arm.ik_follow(&target, &q, &how) {
+                Some(step) if !step.jumps => q = step.solution.q,
+                _ => {
+                    let mut nearest = Nearest::new(q, &K::LIMITS);
+                    nearest.step = how.step;
+                    let own = arm.parameter_of(&target, &q);
+                    let goes_on = (-200..=200).any(|k| {
+                        let parameter = own + SHORT * f64::from(k) / 200.0;
+                        let all = arm.ik_seeded_at(&target, parameter, &q);
+                        all.nearest_by(&nearest).is_some()
+                    });
+                    counts[usize::from(goes_on)] += 1;
+                    break;
+                }
+            }
+        }
+    }
+    counts
+}
+
+/// Within the limits, one joint next to a stop.
+pub fn next_to_a_stop<const N: usize>(
+    limits: [JointLimit; N],
+) -> impl FnMut(&mut Random) -> [f64; N] {
+    move |random| {
+        let ends = limits.map(|it| [it.lower().max(-3.0), it.upper().min(3.0)]);
+        let mut q = ends.map(|[lower, upper]| random.between(lower, upper));
+        let joint = random.below(N);
+        q[joint] = ends[joint][random.below(2)];
+        q
+    }
+}
+
+#[test]
+fn a_jump_is_one_at_all_parameters_in_reach() {
+    let random = &mut Random::new(91);
+    let panda = jumps(&crate::Panda, random, next_to_a_stop(crate::Panda::LIMITS));
+    let iiwa = jumps(
+        &crate::Iiwa14,
+        random,
+        next_to_a_stop(crate::Iiwa14::LIMITS),
+    );
+    let turned = jumps(&crate::Ur5e, random, next_to_a_stop(crate::Ur5e::LIMITS));
+    for [had_to, had_not_to] in [panda, iiwa, turned] {
+        assert!(had_not_to == 0 && had_to > 0, "{had_not_to} and {had_to}");
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Two parameters: eight joints for whole poses, and seven where the tool may turn.
 
 use crate::cached::cached;
+use crate::follow::{jumps, next_to_a_stop};
 use crate::random::Random;
 use kinematics::{
     Criterion, FeasibleInterval, Follow, HighlyRedundantKinematics, JointLimit, Kinematics,
@@ -44,6 +45,22 @@ kinematics!(
     target = position,
     free = "shoulder"
 );
+
+/// Joints that are held stay where they are.
+#[test]
+fn along_one_a_jump_is_one_at_all_parameters_in_reach() {
+    let random = &mut Random::new(92);
+    let mut start = next_to_a_stop(GantryIiwa::LIMITS);
+    let mut counts = [0, 0];
+    for _ in 0..5 {
+        let q = start(random);
+        let given = GantryIiwa.redundancy(&q);
+        let along = GantryIiwa.along::<1>(given);
+        let of_one = jumps(&along, random, |_| q);
+        counts = [counts[0] + of_one[0], counts[1] + of_one[1]];
+    }
+    assert!(counts[1] == 0 && counts[0] > 0, "{counts:?}");
+}
 
 fn apart<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     let each = a.iter().zip(b).map(|(a, b)| {

@@ -1,7 +1,7 @@
 //! Along a path of targets with a joint to spare.
 
 use crate::generated::refinement::{Problem, levenberg};
-use crate::{JointLimit, Nearest, Pose, RedundantKinematics, Solution};
+use crate::{JointLimit, Nearest, Parameter, Pose, RedundantKinematics, Solution, Target, math};
 
 /// How to go on along a path; see [`RedundantKinematics::ik_follow`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +37,10 @@ const GENTLE: f64 = 0.2;
 /// Evaluations of Levenberg's method at most, and metres that count as a radian.
 const STEPS: usize = 12;
 const SIZE: f64 = 1.0;
+/// Joints that are held at the end of what they may move, one after the other, and how far from it, radians
+/// and metres: as the others are told.
+const ENDS: usize = 3;
+const INSIDE: f64 = 1e-8;
 /// Keeps the cost of a joint at its limit finite.
 const ROOM: f64 = 1.02;
 
@@ -108,27 +112,69 @@ pub(super) fn follow<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     // What a probe found counts if the parameter may move so far.
     let [below, above] = [below, above].map(|it| it.filter(|_| probe <= follow.rate));
     let goes_on = tries.into_iter().find_map(smooth).or(below).or(above);
-    // Next to a singularity few values leave the other joints at rest.
+    // Next to a stop or to a singularity few values leave the other joints where they may be.
     let goes_on = goes_on.or_else(|| {
-        let parameter = robot.parameter_of(target, &led(robot, target, from));
-        let is_near = (parameter - own).abs() <= follow.rate;
+        let parameter = robot.parameter_of(target, &led(robot, target, from, follow));
+        let by = match robot.parameter() {
+            Parameter::Joint(joint) if !follow.limits[joint].is_revolute() => parameter - own,
+            _ => math::wrap(parameter - own),
+        };
+        let is_near = by.abs() <= follow.rate;
         is_near.then(|| smooth(parameter)).flatten()
     });
     goes_on.or_else(|| at(own))
 }
 
-/// Where Levenberg's method leads, whatever becomes of the parameter.
+/// Where Levenberg's method leads within limits and steps, whatever becomes of the parameter: a joint that
+/// it takes farther is held at the end, and the others go on from there.
 #[cold]
 fn led<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     robot: &K,
     target: &Pose,
     from: &[f64; N],
+    follow: &Follow<N>,
 ) -> [f64; N] {
-    let problem = Problem {
-        fk_jacobian: |q: &[f64; N]| robot.fk_jacobian(q),
-        target,
-        size: SIZE,
-        counts: robot.own_target(),
-    };
-    levenberg(&problem, *from, STEPS).q
+    let mut held = robot.held();
+    let turn = robot.held_turn();
+    let ends: [[f64; 2]; N] = core::array::from_fn(|i| {
+        let step = match robot.parameter() {
+            Parameter::Joint(joint) if joint == i => follow.step[i].min(follow.rate),
+            _ => follow.step[i],
+        };
+        let limit = follow.limits[i];
+        [
+            limit.lower().max(from[i] - step),
+            limit.upper().min(from[i] + step),
+        ]
+    });
+    let beyond = |q: &[f64; N], i: usize| (ends[i][0] - q[i]).max(q[i] - ends[i][1]);
+    let mut q = *from;
+    for _ in 0..ENDS {
+        q = core::array::from_fn(|i| held[i].unwrap_or(q[i]));
+        let fk_jacobian = |q: &[f64; N]| {
+            let (pose, mut jacobian) = robot.fk_jacobian(q);
+            for row in &mut jacobian.rows {
+                *row = core::array::from_fn(|i| held[i].map_or(row[i], |_| 0.0));
+            }
+            (pose, jacobian)
+        };
+        let problem = Problem {
+            fk_jacobian,
+            target: &turn.map_or(*target, |turn| target.turned(turn)),
+            size: SIZE,
+            counts: turn.map_or(robot.own_target(), |_| Target::Pose),
+        };
+        q = levenberg(&problem, q, STEPS).q;
+        let free = (0..N).filter(|&i| held[i].is_none());
+        let farthest = free.reduce(|a, b| if beyond(&q, b) > beyond(&q, a) { b } else { a });
+        match farthest {
+            Some(i) if beyond(&q, i) > 0.0 => {
+                let [lower, upper] = [ends[i][0] + INSIDE, ends[i][1] - INSIDE];
+                held = robot.held();
+                held[i] = Some(q[i].max(lower).min(upper));
+            }
+            _ => break,
+        }
+    }
+    q
 }
