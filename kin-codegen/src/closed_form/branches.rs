@@ -109,7 +109,8 @@ impl ClosedForm {
         values: &Values,
         sorted: impl Fn(&[(bool, Solution<N>)]) -> Solutions<N>,
     ) -> Solutions<N> {
-        let mut solutions = sorted(&at.all_solutions(values));
+        let branches = at.all_solutions(values);
+        let mut solutions = sorted(&branches);
         if !self.is_in_lanes() || self.completion() != Completion::Never {
             return solutions;
         }
@@ -121,18 +122,21 @@ impl ClosedForm {
                 solutions.insert_new(*solution);
             }
         };
-        let as_told = at.as_told(values);
+        let moves = at.moves(values);
+        let as_told = match moves {
+            true => at.as_told(values),
+            false => branches,
+        };
         let nearly = self.acceptance().nearly;
         let begins = |(exists, branch): &&(bool, Solution<N>)| *exists && branch.residual <= nearly;
         let begin = as_told.iter().filter(begins).count();
-        if at.moves(values) {
+        if moves {
             add(&mut solutions, as_told);
         }
         for turn in ELSEWHERE {
             if solutions.len() < begin {
-                let seed = at.seed.iter().map(|x| finite(*x) + turn);
-                let values =
-                    at.evaluate_at(&seed.collect::<Vec<_>>(), self.tolerances().nearly_free);
+                let seed: Vec<f64> = at.seed.iter().map(|x| finite(*x) + turn).collect();
+                let values = at.evaluate_at(&seed, self.tolerances().nearly_free);
                 add(&mut solutions, at.as_told(&values));
             }
         }

@@ -427,7 +427,8 @@ where
     })
 }
 
-/// The same of what may have joints that are given beside the target; `otherwise` is always asked.
+/// The solutions of a robot for one target and joints that are given beside it, as `otherwise` has them of
+/// branches.
 #[inline]
 pub fn solve_given<
     R,
@@ -448,7 +449,11 @@ where
     R: Inverse<N, L, P, M, F>,
 {
     let given = Given::<R, N, L, P, M, F>::new(pose, seed, given);
-    given.led_to(given.branches(), otherwise)
+    let found = given.branches();
+    match found.0.nearly(&R::ACCEPT) | found.1.leave_no_root() {
+        true => given.led_to(found, otherwise),
+        false => otherwise(found.0),
+    }
 }
 
 /// Of the solutions of a robot for one target the one that moves the joints least from `seed`, as

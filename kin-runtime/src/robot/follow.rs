@@ -37,9 +37,9 @@ const GENTLE: f64 = 0.2;
 /// Evaluations of Levenberg's method at most, and metres that count as a radian.
 const STEPS: usize = 12;
 const SIZE: f64 = 1.0;
-/// Joints that are held at the end of what they may move, one after the other, and how far from it, radians
-/// and metres: as the others are told.
-const ENDS: usize = 3;
+/// How often the method runs at most, and how far inside of the end of what it may move a joint is held, radians
+/// and metres: others are known to less.
+const RUNS: usize = 3;
 const INSIDE: f64 = 1e-8;
 /// Keeps the cost of a joint at its limit finite.
 const ROOM: f64 = 1.02;
@@ -149,7 +149,7 @@ fn led<K: RedundantKinematics<N> + ?Sized, const N: usize>(
     });
     let beyond = |q: &[f64; N], i: usize| (ends[i][0] - q[i]).max(q[i] - ends[i][1]);
     let mut q = *from;
-    for _ in 0..ENDS {
+    for _ in 0..RUNS {
         q = core::array::from_fn(|i| held[i].unwrap_or(q[i]));
         let fk_jacobian = |q: &[f64; N]| {
             let (pose, mut jacobian) = robot.fk_jacobian(q);
