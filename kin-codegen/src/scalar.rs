@@ -41,6 +41,8 @@ pub struct Tolerances {
     /// The same of fewer joints than targets have coordinates: at a double root, where half of the
     /// digits are lost, these need not be singular, so that the tip misses the target by as much.
     pub unmoved_if_short: f64,
+    /// What has led to configurations as near as this has led to one, radians and metres.
+    pub one: f64,
     /// Below this conditioning of the Jacobian branches of an exact arm may be lost to rounding;
     /// 0 if none may.
     pub near_singular: f64,
@@ -73,6 +75,7 @@ impl Scalar {
                 epsilon: f64::EPSILON,
                 unmoved: 1e-10,
                 unmoved_if_short: 1e-12,
+                one: double::SAME,
                 near_singular: 0.0,
                 recovered: 1e-11,
                 same: 1e-7,
@@ -92,6 +95,7 @@ impl Scalar {
                 epsilon: f32::EPSILON.into(),
                 unmoved: 2e-6,
                 unmoved_if_short: 2e-6,
+                one: single::SAME.into(),
                 near_singular: single::SINGULAR.into(),
                 recovered: 2e-6,
                 same: 1e-4,

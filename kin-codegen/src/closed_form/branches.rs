@@ -119,7 +119,7 @@ impl ClosedForm {
                 branches[known.branch as usize].0 = false;
             }
             for solution in &sorted(&branches) {
-                solutions.insert_new(*solution);
+                solutions.insert_new(*solution, self.tolerances().one);
             }
         };
         let moves = at.moves(values);

@@ -1,6 +1,6 @@
 //! Closed forms in lanes, of one target or of several.
 
-use super::super::scalar::Real;
+use super::super::scalar::{Real, tolerance::SAME};
 use super::super::types::nearest::Motion;
 use super::super::{Nearest, Pose, Solution, Solutions, math};
 use super::acceptance::{Acceptance, Completion};
@@ -254,7 +254,7 @@ where
         let (as_told, free) = found;
         let add = |solutions: &mut Solutions<K>, branches: Branches<N, L>| {
             for solution in &otherwise(branches.without(solutions)) {
-                solutions.insert_new(*solution);
+                solutions.insert_new(*solution, SAME);
             }
         };
         if F > 0 && free.leave_no_root() {

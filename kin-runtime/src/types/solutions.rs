@@ -176,16 +176,21 @@ impl<const N: usize> Solutions<N> {
         Some(known)
     }
 
-    /// Appends a solution unless it is there already.
+    /// Appends a solution unless one is the same to within so much.
     #[doc(hidden)]
-    pub fn insert_new(&mut self, solution: Solution<N>) {
-        self.push_if(self.place_of(&solution.q).is_none(), solution);
+    pub fn insert_new(&mut self, solution: Solution<N>, same: Real) {
+        let known = self.place_within(&solution.q, same);
+        self.push_if(known.is_none(), solution);
     }
 
     /// The place of a solution, to within [`SAME`].
     pub(crate) fn place_of(&self, q: &[Real; N]) -> Option<usize> {
-        let same = |it: &Solution<N>| (0..N).all(|i| self.apart(i, it.q[i], q[i]) < SAME);
-        self.iter().position(same)
+        self.place_within(q, SAME)
+    }
+
+    fn place_within(&self, q: &[Real; N], same: Real) -> Option<usize> {
+        let is_same = |it: &Solution<N>| (0..N).all(|i| self.apart(i, it.q[i], q[i]) < same);
+        self.iter().position(is_same)
     }
 
     /// How far two configurations are apart, radians and metres: the square of it.
