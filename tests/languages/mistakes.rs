@@ -116,6 +116,20 @@ const OF_REST: [[&str; 2]; 1] = [["residual[0] < 1e-2", "residual[0] < 1e-20"]];
 /// The same in JavaScript.
 const OF_REST_IN_JS: [[&str; 2]; 1] = [["residual < 1e-2", "residual < 1e-20"]];
 
+/// The same of what is next to where singularities meet: a free joint has to turn,
+const OF_LEADING: [[&str; 2]; 1] = [["{0.65, 1.9}", "{0.0, 0.0}"]];
+
+/// or to stay where it is told.
+const OF_TELLING: [[&str; 2]; 1] = [[
+    "if (moves) {\n        count =",
+    "if (moves < 0) {\n        count =",
+]];
+
+/// The same in JavaScript.
+const OF_LEADING_IN_JS: [[&str; 2]; 1] = [["[0.65, 1.9]", "[0.0, 0.0]"]];
+const OF_TELLING_IN_JS: [[&str; 2]; 1] =
+    [["if (moves) {\n        add", "if (!moves) {\n        add"]];
+
 /// The same of what stays at the seed where two singularities meet.
 const OF_STAYING: [[&str; 2]; 6] = [
     ["<= 1e-13 * MISTAKEN_SIZE", "<= -1.0 * MISTAKEN_SIZE"],
@@ -411,6 +425,17 @@ fn mistakes_of_staying_are_found() {
 }
 
 #[test]
+fn mistakes_next_to_where_singularities_meet_are_found() {
+    let [turning, telling] = next_to_where_singularities_meet();
+    each_of_is_found("mistakes_of_leading", &turning, &OF_LEADING);
+    each_of_is_found("mistakes_of_telling", &telling, &OF_TELLING);
+}
+
+fn next_to_where_singularities_meet() -> [Asked; 2] {
+    ["robots/elbow.yaml", "robots/ur5e.urdf"].map(|path| Asked::of(path, Options::default()))
+}
+
+#[test]
 fn mistakes_of_turning_are_found() {
     let asked = Asked::of(targets::OVER_THE_BASE, Options::default());
     each_of_is_found("mistakes_of_turning", &asked, &OF_TURNING);
@@ -455,7 +480,10 @@ fn mistakes_in_javascript_are_found() {
         eliminates: true,
         ..Asked::of("robots/xarm6.yaml", Options::default())
     };
+    let [leading, telling] = next_to_where_singularities_meet();
     let each = [
+        (leading, &OF_LEADING_IN_JS[..]),
+        (telling, &OF_TELLING_IN_JS[..]),
         (of_given(), &OF_GIVEN_IN_JS[..]),
         (of_completion(), &OF_COMPLETION_IN_JS[..]),
         (of_unanswered(), &OF_UNANSWERED_IN_JS[..]),

@@ -144,6 +144,34 @@ pub fn targets(robot: &Robot, configurations: &[Vec<f64>]) -> Vec<(Pose, Vec<f64
         }
     };
     all.push((robot.fk(&twice), twice));
+    // Next to singularities that meet: of an elbow and a TX60 a joint that is free has to turn, of a UR10e
+    // and a UR5e to move, and to stay where it is told.
+    let meeting = [
+        (
+            [-1.0, 2.0, 2.0, 1.0, 1.0, 1.0],
+            [
+                -1.8099e-7, 1.1966e-7, 1.63e-9, 2.0535e-7, 6.172e-8, 8.029e-8,
+            ],
+        ),
+        (
+            [0.0, 2.0, 0.0, -1.0, 0.0, -1.0],
+            [4.31e-9, 1.87e-9, -1.7e-9, 1.8e-10, 1.74e-9, 3.5e-10],
+        ),
+        (
+            [1.0, -1.0, 0.0, -1.0, 0.0, 1.0],
+            [8.1e-10, 6.61e-9, -3.65e-9, -5.32e-9, 4.92e-9, -6.72e-9],
+        ),
+        (
+            [0.0, 1.0, 0.0, 2.0, 0.0, 1.0],
+            [2.75e-9, 3.81e-9, -2.85e-9, -1.51e-9, 2.48e-9, 2.98e-9],
+        ),
+    ];
+    all.extend(meeting.map(|(quarters, off)| {
+        let joints = 0..robot.joints();
+        let q = joints.map(|i| quarters[i % 6] * FRAC_PI_2 + off[i % 6]);
+        let pose = robot.fk(&q.collect::<Vec<_>>());
+        (pose, vec![0.0; robot.joints()])
+    }));
     // Bent a little, towards where an iiwa's elbow is nearly straight.
     if robot.joints() == 7 {
         let straight = [0.4, 1.0, 0.7, 1e-8, -0.7, -0.4, 0.5];
